@@ -1,0 +1,37 @@
+"""What goes wrong, told in one line: errors that a user reads instead of a traceback."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Problem:
+    """One thing wrong with an input: where it stands, what is wrong, what would be right."""
+
+    message: str
+    file: str = ""
+    line: int = 0  # from 1; 0 = not known
+    column: int = 0  # from 1
+    path: str = ""  # such as robots.0.model.mass
+
+    def __str__(self) -> str:
+        place = self.file
+        if self.line:
+            place += f":{self.line}:{self.column}"
+        return ": ".join(part for part in (place, self.path, self.message) if part)
+
+
+class InputError(Exception):
+    """Bad input (exit code 2): all the problems of a file at once."""
+
+    def __init__(self, problems: Problem | Iterable[Problem]) -> None:
+        self.problems = (problems,) if isinstance(problems, Problem) else tuple(problems)
+        super().__init__("\n".join(map(str, self.problems)))
+
+
+class MachineError(Exception):
+    """The machine failed us (exit code 3): a full disk, a folder that cannot be written."""
+
+
+class RunError(Exception):
+    """A run that is not valid (exit code 4): the state stopped being a number, say."""
