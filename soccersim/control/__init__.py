@@ -1,0 +1,1 @@
+"""From a set-point to PWM: plan, profile, position PID, wheel loop."""

@@ -1,0 +1,161 @@
+"""Position control: set-point against estimate, a PID per axis, limits that keep the direction.
+
+The loop of Utama's Fig. 5, from (x, y, heading) to the body twist that inverse kinematics turns
+into wheel speeds.
+"""
+
+from collections.abc import Sequence
+from math import inf, sqrt
+from typing import NamedTuple
+
+import numpy as np
+
+from soccersim.control.plan import TARGET, TWIST, Plan, Progress
+from soccersim.geometry import rotate
+from soccersim.kernel import kernel
+from soccersim.spec.robot import Robot
+from soccersim.state import Array, Command, Estimate, Whole
+
+GAINS = ("kp", "ki", "kd")
+
+
+class PositionLoop(NamedTuple):
+    """Gains and memory; axes are x, y, heading of the field frame."""
+
+    kp: Array  # (R, 3) 1/s
+    ki: Array  # (R, 3) 1/s2
+    kd: Array  # (R, 3)
+    limits: Array  # (R, 4) speed, acceleration, turn rate, turn acceleration; inf: none
+    sums: Array  # (R, 3) integrals of the error
+    last: Array  # (R, 3) estimate at the last step
+    velocity: Array  # (R, 3) asked for at the last step; field frame
+    saturated: Whole  # (R,) 1: the wheels could not follow at the last step
+
+
+def build_position_loop(robots: Sequence[Robot], start: Array) -> PositionLoop:
+    """The loops at rest; start (R, 3) is where the robots believe to stand."""
+    axes = [(r.control.x, r.control.y, r.control.heading) for r in robots]
+    gains = [np.array([[getattr(pid, g) for pid in row] for row in axes]) for g in GAINS]
+    limits = [r.control.limits for r in robots]
+    return PositionLoop(
+        *gains,
+        np.array(
+            [
+                (s.speed, s.acceleration or inf, s.turn_rate, s.turn_acceleration or inf)
+                for s in limits
+            ]
+        ),
+        np.zeros_like(start),
+        start.copy(),
+        np.zeros_like(start),
+        np.zeros(len(robots), np.int64),
+    )
+
+
+
+@kernel
+def seek(
+    loop: PositionLoop,
+    plan: Plan,
+    progress: Progress,
+    estimate: Estimate,
+    command: Command,
+    tick: int,
+    dt: float,
+) -> None:
+    """Set command.twist of the robots that are due and are on their way to a target."""
+    for robot in range(plan.every.shape[0]):
+        if tick % plan.every[robot] != 0:
+            continue
+        leg = progress.leg[robot]
+        if plan.legs[robot] > 0 and leg >= plan.legs[robot]:
+            leg -= 1  # through: hold the last target
+        kind = plan.kind[robot, leg]
+        if plan.legs[robot] == 0:
+            continue  # a strategy commands it, or nobody
+        if plan.pushed[robot] == 1 or (kind != TARGET and progress.leg[robot] != leg):
+            _stop(command, robot)
+        elif kind == TARGET:
+            _pid(loop, progress, estimate, command, robot, plan.every[robot] * dt)
+        elif kind == TWIST:
+            for k in range(3):
+                command.twist[robot, k] = plan.value[robot, leg, k]
+
+
+@kernel
+def _stop(command: Command, robot: int) -> None:
+    for k in range(3):
+        command.twist[robot, k] = 0.0
+
+
+@kernel
+def _pid(
+    loop: PositionLoop,
+    progress: Progress,
+    estimate: Estimate,
+    command: Command,
+    robot: int,
+    dt: float,
+) -> None:
+    """The wanted velocity in the field frame, limited, turned into the body frame."""
+    wanted = (
+        _axis(loop, progress, estimate, command, robot, 0, dt),
+        _axis(loop, progress, estimate, command, robot, 1, dt),
+        _axis(loop, progress, estimate, command, robot, 2, dt),
+    )
+    vx, vy, omega = _limited(loop, robot, wanted[0], wanted[1], wanted[2], dt)
+    held = vx == wanted[0] and vy == wanted[1] and omega == wanted[2]
+    for k in range(3):
+        error = command.reference[robot, k] - estimate.pose[robot, k]
+        # anti-windup: no summing while a limit holds the command, save towards zero
+        if (held and loop.saturated[robot] == 0) or error * loop.sums[robot, k] < 0.0:
+            loop.sums[robot, k] += error * dt
+        loop.last[robot, k] = estimate.pose[robot, k]
+    loop.velocity[robot, 0], loop.velocity[robot, 1], loop.velocity[robot, 2] = vx, vy, omega
+    # while this command holds the body goes on turning: aim at the middle of the step
+    heading = estimate.pose[robot, 2] + 0.5 * estimate.twist[robot, 2] * dt
+    bx, by = rotate(vx, vy, -heading)  # field to body
+    command.twist[robot, 0], command.twist[robot, 1], command.twist[robot, 2] = bx, by, omega
+
+
+@kernel
+def _axis(
+    loop: PositionLoop,
+    progress: Progress,
+    estimate: Estimate,
+    command: Command,
+    robot: int,
+    k: int,
+    dt: float,
+) -> float:
+    """PID of one axis on top of the set-point's own velocity; the derivative on the measurement."""
+    error = command.reference[robot, k] - estimate.pose[robot, k]
+    feed = progress.motion[robot, k]
+    rate = (estimate.pose[robot, k] - loop.last[robot, k]) / dt
+    return (
+        feed
+        + loop.kp[robot, k] * error
+        + loop.ki[robot, k] * loop.sums[robot, k]
+        + loop.kd[robot, k] * (feed - rate)
+    )
+
+
+@kernel
+def _limited(
+    loop: PositionLoop, robot: int, vx: float, vy: float, omega: float, dt: float
+) -> tuple[float, float, float]:
+    """The velocity within speed and acceleration limits, its direction kept."""
+    top, turn_top = loop.limits[robot, 0], loop.limits[robot, 2]
+    speed = sqrt(vx * vx + vy * vy)
+    if speed > top:
+        vx, vy = vx * top / speed, vy * top / speed
+    omega = min(max(omega, -turn_top), turn_top)
+    dx, dy = vx - loop.velocity[robot, 0], vy - loop.velocity[robot, 1]
+    change = sqrt(dx * dx + dy * dy)
+    step = loop.limits[robot, 1] * dt
+    if change > step:
+        vx = loop.velocity[robot, 0] + dx * step / change
+        vy = loop.velocity[robot, 1] + dy * step / change
+    turn_step = loop.limits[robot, 3] * dt
+    last = loop.velocity[robot, 2]
+    return vx, vy, min(max(omega, last - turn_step), last + turn_step)

@@ -1,0 +1,1 @@
+"""What a robot believes, from its readings alone."""

@@ -1,0 +1,82 @@
+"""Compiled kernels: the only place that imports numba.
+
+A kernel is a plain function of floats and arrays. Compiled and plain (NUMBA_DISABLE_JIT=1) runs
+give the same bits, so kernels use `math` and + - * / alone: no `**`, no numpy functions.
+"""
+
+import hashlib
+import os
+import sys
+import tempfile
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from typing import ParamSpec, TypeVar
+
+P = ParamSpec("P")
+R = TypeVar("R")
+
+COMPILED = os.environ.get("NUMBA_DISABLE_JIT", "0") in ("", "0")
+# numba's vector library rounds otherwise than libm: keep to one set of functions everywhere
+os.environ.setdefault("NUMBA_DISABLE_INTEL_SVML", "1")
+
+
+def kernel(function: Callable[P, R]) -> Callable[P, R]:
+    """The function, compiled at its first call and kept on disk for the next process."""
+    if not COMPILED:
+        return function
+    import numba
+
+    folder = cache_folder()
+    before = numba.config.CACHE_DIR
+    numba.config.CACHE_DIR = str(folder or before)
+    try:
+        compiled: Callable[P, R] = numba.njit(
+            cache=folder is not None, error_model="numpy", nogil=True
+        )(function)
+    finally:
+        numba.config.CACHE_DIR = before
+    return compiled
+
+
+@cache
+def cache_folder() -> Path | None:
+    """Where compiled kernels are kept; None where no such folder can be written.
+
+    numba sees edits of the file a kernel stands in, not of the kernels it calls: the folder's
+    name is a digest of all our sources, so an edit anywhere starts a new one.
+    """
+    root = Path(os.environ.get("SOCCERSIM_CACHE") or _user_cache()) / f"kernels-{_own_digest()}"
+    try:
+        root.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=root):
+            return root
+    except OSError:
+        return None
+
+
+def will_compile() -> bool:
+    """Whether the next simulation has to compile first: nothing is kept on disk yet."""
+    if not COMPILED:
+        return False
+    folder = cache_folder()
+    return folder is None or not any(folder.rglob("*.nbi"))
+
+
+def _user_cache() -> Path:
+    if sys.platform == "win32":
+        return Path(os.environ.get("LOCALAPPDATA") or Path.home()) / "soccersim"
+    if sys.platform == "darwin":
+        return Path.home() / "Library" / "Caches" / "soccersim"
+    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "soccersim"
+
+
+def _own_digest() -> str:
+    """A digest of every source file that holds or may shape a kernel."""
+    here = Path(__file__).parent
+    digest = hashlib.sha256(str(here).encode())
+    for path in sorted(here.rglob("*.py")):
+        text = path.read_bytes()
+        if b"@kernel" in text or b"NamedTuple" in text:
+            digest.update(path.name.encode() + text)
+    return digest.hexdigest()[:16]

@@ -1,0 +1,44 @@
+"""The digest of a run: a SHA-256 chain over its records, and the platform it holds for."""
+
+import hashlib
+import platform
+from collections.abc import Sequence
+from importlib.metadata import version
+
+import numpy as np
+from numpy.typing import NDArray
+
+START = b"soccersim 1"
+
+
+class Digest:
+    """A chain of SHA-256: each link hashes the last one and one record's numbers."""
+
+    def __init__(self) -> None:
+        self._link = hashlib.sha256(START).digest()
+
+    def add(self, arrays: Sequence[NDArray[np.float64]]) -> None:
+        """Take in records, first axis time: of each its arrays as little-endian float64."""
+        flat = [np.ascontiguousarray(a, "<f8").reshape(len(a), -1) for a in arrays]
+        for row in np.concatenate(flat, axis=1):
+            self._link = hashlib.sha256(self._link + row.tobytes()).digest()
+
+    @property
+    def hex(self) -> str:
+        """The chain so far."""
+        return self._link.hex()
+
+
+def fingerprint() -> dict[str, str]:
+    """The platform on which a digest comes out the same."""
+    from numpy._core._multiarray_umath import __cpu_features__
+
+    features = " ".join(sorted(name for name, here in __cpu_features__.items() if here))
+    return {
+        "os": platform.system(),
+        "machine": platform.machine(),
+        "libc": " ".join(platform.libc_ver()),
+        "cpu": hashlib.sha256(features.encode()).hexdigest()[:12],
+        "python": platform.python_version(),
+        **{name: version(name) for name in ("numpy", "pymunk", "numba")},
+    }

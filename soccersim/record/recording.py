@@ -1,0 +1,120 @@
+"""A run as it is kept: arrays over time, and a JSON document that says what they are."""
+
+import json
+import zipfile
+from dataclasses import dataclass
+from functools import cached_property
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from soccersim.problems import InputError, MachineError, Problem
+
+if TYPE_CHECKING:
+    from soccersim.spec.scenario import Scenario
+
+FORMAT = 1
+Array = NDArray[Any]
+# which arrays go to the file with which word of the scenario's `record`
+GROUPS = {
+    "poses": ("tick", "body", "estimate", "reference", "leg"),
+    "wheels": ("wheel_angle", "wheel_speed", "slip", "load"),
+    "sensors": ("counts", "gyro"),
+    "control": ("command", "wheel_setpoint", "pwm"),
+}
+
+
+@dataclass(frozen=True)
+class Recording:
+    """T records of R robots with up to W wheels, and B bodies: the robots, then the ball.
+
+    Field frame: origin at the centre spot, x along the length, y left; metres, radians,
+    counter-clockwise. Body frame: x forward, y left. Wheels: the driven ones, then the dead
+    ones; columns a robot does not have are 0. docs/recording.md tells each array.
+    """
+
+    meta: dict[str, Any]
+    arrays: dict[str, Array]
+
+    @property
+    def tick(self) -> Array:
+        """(T,) int64: the physics tick of each record."""
+        return self.arrays["tick"]
+
+    @property
+    def time(self) -> Array:
+        """(T,) s."""
+        return self.arrays["tick"] / float(self.meta["physics_hz"])
+
+    @property
+    def body(self) -> Array:
+        """(T, B, 6): x, y, heading, vx, vy, omega as they truly are; field frame."""
+        return self.arrays["body"]
+
+    @property
+    def estimate(self) -> Array:
+        """(T, R, 3): x, y, heading as each robot believes; field frame."""
+        return self.arrays["estimate"]
+
+    @property
+    def reference(self) -> Array:
+        """(T, R, 3): the set-point x, y, heading; field frame; NaN where there is none."""
+        return self.arrays["reference"]
+
+    @property
+    def leg(self) -> Array:
+        """(T, R) int64: number of the leg or phase each robot is on."""
+        return self.arrays["leg"]
+
+    @property
+    def digest(self) -> str:
+        """SHA-256 chain over the whole run."""
+        return str(self.meta["digest"])
+
+    @property
+    def duration(self) -> float:
+        """Seconds simulated."""
+        return float(self.meta["ticks"]) / float(self.meta["physics_hz"])
+
+    @property
+    def legs(self) -> list[list[dict[str, Any]]]:
+        """For each robot its legs, in the field frame (see docs/recording.md)."""
+        return list(self.meta["legs"])
+
+    @cached_property
+    def scenario(self) -> "Scenario":
+        """The scenario that was run, everything in it expanded."""
+        from soccersim.spec.scenario import Scenario
+
+        return Scenario.model_validate(self.meta["scenario"])
+
+    def save(self, path: str | PathLike[str]) -> None:
+        """Write one .npz without pickles; MachineError where it cannot be written."""
+        groups = ("poses", *self.meta["scenario"]["record"])
+        kept = {k: self.arrays[k] for group in groups for k in GROUPS[group] if k in self.arrays}
+        text = json.dumps(self.meta, allow_nan=False).encode()
+        try:
+            with open(path, "wb") as file:
+                np.savez_compressed(file, meta=np.frombuffer(text, np.uint8), **kept)
+        except OSError as error:
+            raise MachineError(f"{path}: {error.strerror or error}") from error
+
+    @classmethod
+    def load(cls, path: str | PathLike[str]) -> "Recording":
+        """Read what save wrote; InputError where it is not a recording or a newer one."""
+        name = str(Path(path))
+        try:
+            with np.load(path, allow_pickle=False) as file:
+                meta = json.loads(bytes(file["meta"]))
+                arrays = {key: file[key] for key in file.files if key != "meta"}
+        except OSError as error:
+            raise InputError(Problem(error.strerror or str(error), file=name)) from error
+        except (ValueError, KeyError, zipfile.BadZipFile, EOFError) as error:
+            raise InputError(Problem("not a soccersim recording, or damaged", name)) from error
+        if meta.get("format") != FORMAT:
+            wrong = f"has format {meta.get('format')}; this soccersim reads format {FORMAT}"
+            raise InputError(Problem(wrong, file=name))
+        return cls(meta, arrays)

@@ -1,0 +1,1 @@
+"""What sensors make of the truth: pulses, and a rate that drifts."""

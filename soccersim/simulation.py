@@ -1,0 +1,258 @@
+"""The parts put together: the loop of one run.
+
+    each tick:  sense -> estimate -> decide -> control -> record -> actuate
+                Truth -> Readings -> Estimate -> Command -> Truth
+
+`run_ticks` is that line. It is compiled, and runs whole pieces of a run without any Python.
+"""
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from soccersim import __version__
+from soccersim.control.plan import Plan, Progress, build_plan, finished, follow, new_progress
+from soccersim.control.position import PositionLoop, build_position_loop, seek
+from soccersim.control.wheels import WheelLoop, build_wheel_loop, turn_wheels
+from soccersim.estimation.odometry import Odometry, build_odometry, reckon
+from soccersim.kernel import kernel
+from soccersim.plant.ball import Rolling, roll_ball
+from soccersim.plant.build import build_drive, wheel_count
+from soccersim.plant.drive import Drive, drive_robots
+from soccersim.plant.hand import Hand, push_robots
+from soccersim.plant.world import Chipmunk, World, step_bodies
+from soccersim.problems import RunError
+from soccersim.record import Recording
+from soccersim.record.digest import Digest, fingerprint
+from soccersim.record.log import RECORDS, Log, new_log, record, record_leg
+from soccersim.record.recording import FORMAT, GROUPS
+from soccersim.sensing.encoder import Encoders, build_encoders, read_encoders
+from soccersim.sensing.gyro import Gyros, build_gyros, read_gyros
+from soccersim.sensing.noise import Noise, NoiseSource
+from soccersim.spec.scenario import Scenario
+from soccersim.state import (
+    Command,
+    Estimate,
+    Readings,
+    Truth,
+    new_command,
+    new_estimate,
+    new_readings,
+    new_truth,
+)
+
+
+class Machine(NamedTuple):
+    """All that a tick reads and changes."""
+
+    truth: Truth
+    readings: Readings
+    estimate: Estimate
+    command: Command
+    encoders: Encoders
+    gyros: Gyros
+    noise: Noise
+    odometry: Odometry
+    plan: Plan
+    progress: Progress
+    position: PositionLoop
+    wheels: WheelLoop
+    hand: Hand
+    drive: Drive
+    ball: Rolling
+    chipmunk: Chipmunk
+    log: Log
+
+
+@kernel
+def run_ticks(m: Machine, tick: int, end: int, dt: float) -> int:
+    """Run from tick to end, or to where all plans are through; returns the tick reached.
+
+    A negative answer -1 - t says that the forces of tick t were no numbers.
+    """
+    while tick < end:
+        read_encoders(m.encoders, m.readings, m.truth, m.noise, tick, dt)
+        read_gyros(m.gyros, m.readings, m.truth, m.noise, tick, dt)
+        reckon(m.odometry, m.estimate, m.readings, tick, dt)
+        follow(m.plan, m.progress, m.estimate, m.command, tick, dt)
+        seek(m.position, m.plan, m.progress, m.estimate, m.command, tick, dt)
+        turn_wheels(
+            m.wheels, m.position, m.plan, m.progress, m.readings, m.command, tick, dt
+        )
+        _note(m, tick)
+        if finished(m.plan, m.progress):
+            return tick
+        push_robots(m.hand, m.command.reference, m.progress.motion, m.truth)
+        drive_robots(m.drive, m.truth, m.command.pwm, dt)
+        if m.ball.mass > 0.0:
+            roll_ball(m.ball, m.truth, dt)
+        if not step_bodies(m.chipmunk, m.truth, dt):
+            return -1 - tick
+        tick += 1
+    return tick
+
+
+@kernel
+def _note(m: Machine, tick: int) -> None:
+    """Write down the legs that ended and, where one is due, a record."""
+    for robot in range(m.progress.ended.shape[0]):
+        if m.progress.ended[robot] == 1:
+            record_leg(
+                m.log,
+                m.truth,
+                m.estimate,
+                robot,
+                m.progress.ended_leg[robot],
+                m.progress.ended_reached[robot],
+                tick,
+            )
+    record(m.log, m.truth, m.readings, m.estimate, m.command, m.progress.leg, tick)
+
+
+class Simulation:
+    """One run of a scenario.
+
+    `run()` does it all; `advance(ticks)` goes on step by step, with the state in `machine` free to
+    be looked at between.
+    """
+
+    def __init__(self, scenario: Scenario) -> None:
+        self.scenario = scenario
+        self.tick = 0
+        self.done = False
+        self.end = max(1, round(scenario.duration * scenario.timing.physics_hz))
+        models = [player.model for player in scenario.robots]
+        robots, wheels = len(models), max(map(wheel_count, models))
+        hz, seed = scenario.timing.physics_hz, scenario.seed
+        truth = new_truth(robots + (scenario.ball is not None), robots, wheels)
+        self.world = World(scenario, truth)
+        estimate = new_estimate(robots, wheels)
+        estimate.pose[:] = truth.body[:robots, :3]
+        start = estimate.pose.copy()
+        encoders, count_angle = build_encoders(models, wheels, hz, seed)
+        self.noise = NoiseSource(models, wheels, hz, seed)
+        plan = build_plan(scenario, wheels)
+        drive = build_drive(models, scenario.field, seed)
+        self.machine = Machine(
+            truth=truth,
+            readings=new_readings(robots, wheels),
+            estimate=estimate,
+            command=new_command(robots, wheels),
+            encoders=encoders,
+            gyros=build_gyros(models, hz, seed),
+            noise=self.noise.noise,
+            odometry=build_odometry(models, count_angle, hz),
+            plan=plan,
+            progress=new_progress(start),
+            position=build_position_loop(models, start),
+            wheels=build_wheel_loop(models, wheels),
+            hand=Hand(plan.pushed, np.stack([drive.mass, drive.mass, drive.inertia], axis=1)),
+            drive=drive,
+            ball=_rolling(scenario),
+            chipmunk=self.world.chipmunk,
+            log=new_log(
+                scenario.every(scenario.timing.record_hz),
+                len(truth.body),
+                robots,
+                wheels,
+                plan.kind.shape[1],
+            ),
+        )
+        self._pieces: dict[str, list[np.ndarray[Any, Any]]] = {
+            key: [] for keys in GROUPS.values() for key in keys
+        }
+        self._digest = Digest()
+
+    def run(self, progress: Callable[[float], None] | None = None) -> Recording:
+        """The whole run; progress is told the share done now and then."""
+        while not self.done:
+            self.advance(self.end - self.tick, pieces=1)
+            if progress:
+                progress(1.0 if self.done else self.tick / self.end)
+        return self.recording()
+
+    def step(self) -> None:
+        """One physics tick."""
+        self.advance(1)
+
+    def advance(self, ticks: int, pieces: int | None = None) -> None:
+        """Run so many ticks, or until the run is over; or only so many pieces of them."""
+        goal = min(self.tick + ticks, self.end)
+        while self.tick < goal and not self.done and pieces != 0:
+            every = self.machine.log.every
+            room = (-(-self.tick // every) + RECORDS) * every
+            piece = self.noise.prepare(self.tick, min(goal, room))
+            reached = run_ticks(self.machine, self.tick, piece, self.scenario.dt)
+            self._check(reached)
+            self.done = reached < piece or reached == self.end
+            self.tick = reached
+            self._collect()
+            pieces = None if pieces is None else pieces - 1
+
+    def recording(self) -> Recording:
+        """What has been recorded so far."""
+        arrays = {key: np.concatenate(parts) for key, parts in self._pieces.items()}
+        return Recording(
+            {
+                "format": FORMAT,
+                "soccersim": __version__,
+                "scenario": self.scenario.model_dump(mode="json"),
+                "seed": self.scenario.seed,
+                "digest": self._digest.hex,
+                "physics_hz": self.scenario.timing.physics_hz,
+                "ticks": self.tick,
+                "platform": fingerprint(),
+                "legs": [self._legs(robot) for robot in range(len(self.scenario.robots))],
+            },
+            arrays,
+        )
+
+    def _check(self, reached: int) -> None:
+        """Nothing may go on from a state that is not made of numbers."""
+        state = (self.machine.truth.body, self.machine.estimate.pose)
+        if reached < 0 or not all(np.isfinite(array).all() for array in state):
+            where = -1 - reached if reached < 0 else reached
+            raise RunError(
+                f"{self.scenario.name}: the state stopped being a number at tick {where} "
+                f"({where * self.scenario.dt:.3f} s)"
+            )
+
+    def _collect(self) -> None:
+        """Move the log's records to where the run is kept, and link them into the digest."""
+        log = self.machine.log
+        count = int(log.count[0])
+        log.count[0] = 0
+        for key, parts in self._pieces.items():
+            parts.append(getattr(log, key)[:count].copy())
+        chained = ("body", "wheel_angle", "wheel_speed", "estimate")
+        self._digest.add([self._pieces[key][-1] for key in chained])
+
+    def _legs(self, robot: int) -> list[dict[str, Any]]:
+        """The legs that ended, in the field frame."""
+        log, plan = self.machine.log, self.machine.plan
+        legs = []
+        for k in range(int(plan.legs[robot])):
+            start, end = map(int, log.leg_ticks[robot, k])
+            if end < 0:
+                break
+            target = plan.value[robot, k, :3].tolist() if plan.kind[robot, k] == 0 else None
+            legs.append(
+                {
+                    "target": target,
+                    "start_tick": start,
+                    "end_tick": end,
+                    "reached": bool(log.leg_reached[robot, k]),
+                    "odometry": log.leg_estimate[robot, k].tolist(),
+                    "truth": log.leg_truth[robot, k].tolist(),
+                }
+            )
+        return legs
+
+
+def _rolling(scenario: Scenario) -> Rolling:
+    """The ball on this field; mass 0 where there is none."""
+    ball, field = scenario.ball, scenario.field
+    if ball is None:
+        return Rolling(0.0, 1.0, 0.0, 0.0)
+    return Rolling(ball.mass, ball.shell, field.ball_friction, field.ball_rolling)

@@ -1,0 +1,1 @@
+"""What a user writes: scenarios, fields, robots, sensors; frozen and validated."""
