@@ -1,0 +1,5 @@
+"""Kinematics: knowledge that the simulator and a robot's own code share."""
+
+from soccersim.kinematics.omni import OmniBase
+
+__all__ = ["OmniBase"]
