@@ -25,7 +25,7 @@ from soccersim.plant.world import Chipmunk, World, step_bodies
 from soccersim.problems import RunError
 from soccersim.record import Recording
 from soccersim.record.digest import Digest, fingerprint
-from soccersim.record.log import RECORDS, Log, new_log, record, record_leg
+from soccersim.record.log import RECORDS, Log, new_log, record, record_legs
 from soccersim.record.recording import FORMAT, GROUPS
 from soccersim.sensing.encoder import Encoders, build_encoders, read_encoders
 from soccersim.sensing.gyro import Gyros, build_gyros, read_gyros
@@ -36,6 +36,7 @@ from soccersim.state import (
     Estimate,
     Readings,
     Truth,
+    Whole,
     new_command,
     new_estimate,
     new_readings,
@@ -63,6 +64,8 @@ class Machine(NamedTuple):
     ball: Rolling
     chipmunk: Chipmunk
     log: Log
+    sense_every: int  # ticks: at no others is a sensor due
+    control_every: int  # ticks: at no others is a robot's code due
 
 
 @kernel
@@ -72,16 +75,19 @@ def run_ticks(m: Machine, tick: int, end: int, dt: float) -> int:
     A negative answer -1 - t says that the forces of tick t were no numbers.
     """
     while tick < end:
-        read_encoders(m.encoders, m.readings, m.truth, m.noise, tick, dt)
-        read_gyros(m.gyros, m.readings, m.truth, m.noise, tick, dt)
-        reckon(m.odometry, m.estimate, m.readings, tick, dt)
-        follow(m.plan, m.progress, m.estimate, m.command, tick, dt)
-        seek(m.position, m.plan, m.progress, m.estimate, m.command, tick, dt)
-        turn_wheels(
-            m.wheels, m.position, m.plan, m.progress, m.readings, m.command, tick, dt
-        )
-        _note(m, tick)
-        if finished(m.plan, m.progress):
+        if tick % m.sense_every == 0:
+            read_encoders(m.encoders, m.readings, m.truth, m.noise, tick, dt)
+            read_gyros(m.gyros, m.readings, m.truth, m.noise, tick, dt)
+        if tick % m.control_every == 0:
+            reckon(m.odometry, m.estimate, m.readings, tick, dt)
+            follow(m.plan, m.progress, m.estimate, m.command, tick, dt)
+            seek(m.position, m.plan, m.progress, m.estimate, m.command, tick, dt)
+            turn_wheels(
+                m.wheels, m.position, m.plan, m.progress, m.readings, m.command, tick, dt
+            )
+            record_legs(m.log, m.progress, m.truth, m.estimate, tick)
+        record(m.log, m.truth, m.readings, m.estimate, m.command, m.progress.leg, tick)
+        if tick % m.control_every == 0 and finished(m.plan, m.progress):
             return tick
         push_robots(m.hand, m.command.reference, m.progress.motion, m.truth)
         drive_robots(m.drive, m.truth, m.command.pwm, dt)
@@ -91,23 +97,6 @@ def run_ticks(m: Machine, tick: int, end: int, dt: float) -> int:
             return -1 - tick
         tick += 1
     return tick
-
-
-@kernel
-def _note(m: Machine, tick: int) -> None:
-    """Write down the legs that ended and, where one is due, a record."""
-    for robot in range(m.progress.ended.shape[0]):
-        if m.progress.ended[robot] == 1:
-            record_leg(
-                m.log,
-                m.truth,
-                m.estimate,
-                robot,
-                m.progress.ended_leg[robot],
-                m.progress.ended_reached[robot],
-                tick,
-            )
-    record(m.log, m.truth, m.readings, m.estimate, m.command, m.progress.leg, tick)
 
 
 class Simulation:
@@ -131,6 +120,7 @@ class Simulation:
         estimate.pose[:] = truth.body[:robots, :3]
         start = estimate.pose.copy()
         encoders, count_angle = build_encoders(models, wheels, hz, seed)
+        gyros = build_gyros(models, hz, seed)
         self.noise = NoiseSource(models, wheels, hz, seed)
         plan = build_plan(scenario, wheels)
         drive = build_drive(models, scenario.field, seed)
@@ -140,7 +130,7 @@ class Simulation:
             estimate=estimate,
             command=new_command(robots, wheels),
             encoders=encoders,
-            gyros=build_gyros(models, hz, seed),
+            gyros=gyros,
             noise=self.noise.noise,
             odometry=build_odometry(models, count_angle, hz),
             plan=plan,
@@ -158,6 +148,8 @@ class Simulation:
                 wheels,
                 plan.kind.shape[1],
             ),
+            sense_every=_often(np.append(encoders.every, gyros.every)),
+            control_every=_often(plan.every),
         )
         self._pieces: dict[str, list[np.ndarray[Any, Any]]] = {
             key: [] for keys in GROUPS.values() for key in keys
@@ -248,6 +240,11 @@ class Simulation:
                 }
             )
         return legs
+
+
+def _often(every: Whole) -> int:
+    """The longest period at which all of these are due; 0 stands for never."""
+    return int(np.gcd.reduce(every, axis=None)) or 1
 
 
 def _rolling(scenario: Scenario) -> Rolling:
