@@ -48,9 +48,8 @@ def keys(kind: Any) -> Iterator[tuple[str, Any]]:
 
 
 def is_tag(step: str | int, kind: Any) -> bool:
-    """Whether a step names this model among those of a union: by its class or a literal key."""
-    named = is_model(kind) and step == kind.__name__
-    return named or any(step in literals(annotation) for _, annotation in keys(kind))
+    """Whether a step names this model among those of a union, by the value of a literal key."""
+    return any(step in literals(annotation) for _, annotation in keys(kind))
 
 
 def literals(kind: Any) -> tuple[Any, ...]:

@@ -90,9 +90,11 @@ def findings(model: type[BaseModel], tree: Tree, errors: list[ErrorDetails]) -> 
     for path, tag in (step for way in ways for step in way.tags):
         tags[path].add(tag)
     deeper = {way.path[:size] for way in ways for size in range(len(way.path))}
+    deeper |= {way.path for way, error in zip(ways, errors, strict=True) if is_about_key(error)}
     joined: dict[Path, Finding] = {}
     for way, error in zip(ways, errors, strict=True):
-        alternative = way.tags[-1:] and way.tags[-1][0] == way.path and len(tags[way.path]) > 1
+        ends = not is_about_key(error) and way.tags[-1:] and way.tags[-1][0] == way.path
+        alternative = ends and len(tags[way.path]) > 1
         if alternative and way.path in deeper:
             continue  # another alternative fits better: its errors serve
         if alternative or is_short(error):
@@ -126,8 +128,12 @@ def placed(way: Way, error: ErrorDetails, tree: Tree) -> Iterator[Finding]:
 
 def holder(error: ErrorDetails) -> tuple[str | int, ...]:
     """The location of the value with the fault; of the mapping, for a missing or unknown key."""
-    about_key = error["type"] in ("missing", "extra_forbidden")
-    return error["loc"][:-1] if about_key else error["loc"]
+    return error["loc"][:-1] if is_about_key(error) else error["loc"]
+
+
+def is_about_key(error: ErrorDetails) -> bool:
+    """Whether the last step of an error's location is a key too few or too many."""
+    return error["type"] in ("missing", "extra_forbidden")
 
 
 def follow(model: type[BaseModel], location: tuple[str | int, ...], value: Any) -> Way:

@@ -19,8 +19,8 @@ from soccersim.problems import InputError, Problem
 from soccersim.spec import core_schema
 from soccersim.spec.wording import NO_ALIAS, NO_TAG, dotted, instead_of, one_line, retold, show
 
-MAX_BYTES = 128 * 1024  # PyYAML's scanner, itself Python, takes up to 2 us a byte ...
-MAX_NODES = 10_000  # ... and 25 us a key or value; 22 robots written out are some 4 000
+MAX_BYTES = 96 * 1024  # PyYAML's scanner, itself Python, takes up to 2 us a byte ...
+MAX_NODES = 12_000  # ... and 25 us a key or value; 22 robots written out are some 5 000
 MAX_DEPTH = 32
 
 Path: TypeAlias = tuple[str | int, ...]
