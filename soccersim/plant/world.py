@@ -7,6 +7,7 @@ plain Python use the same path and a tick needs no Python at all. Chipmunk's own
 """
 
 import ctypes
+import weakref
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -128,6 +129,7 @@ class World:
         self._keep: list[Any] = []
         edge = np.array([field.half_length, field.half_width + field.border])
         self.chipmunk = self._connect(np.array(radii, float), edge)
+        weakref.finalize(self, _free, space)
 
     def _add_disc(
         self, body: pymunk.Body, radius: float, elasticity: float, friction: float
@@ -200,3 +202,8 @@ class World:
 def _address(name: str) -> int:
     """Where a function of Chipmunk lies in this process."""
     return int(ffi.cast("uintptr_t", ffi.addressof(lib, name)))
+
+
+def _free(space: pymunk.Space) -> None:
+    """Let go of the C space while Python is whole: at exit, pymunk's own way comes too late."""
+    vars(space).pop("_space", None)
