@@ -1,0 +1,174 @@
+"""What moves on the field, seen from above: robots as they are built, the ball, the marks."""
+
+from functools import lru_cache
+from math import ceil, cos, hypot, pi, radians, sin
+from typing import NamedTuple
+
+import pygame
+
+from soccersim.render import look
+from soccersim.render.canvas import Canvas, sector, turned
+from soccersim.spec.base import per_item
+from soccersim.spec.robot import Robot, Wheels
+
+STEPS = 240  # headings a sprite is drawn at: 1.5 degrees, under a pixel at the rim
+KEPT = 3000  # sprites kept for the next frame, a few kilobytes each
+NOSE = radians(34)  # half the angle of the white sector at a robot's front
+GHOST_NOSE = 0.66  # of the radius: where a ghost's nose begins, so as not to hide a number
+HUB = 0.46  # of the radius: the disc that carries the number
+TREAD = {"drive": 0.8, "dead": 0.6}  # thickness of a wheel beside its radius
+TARGET_RADIUS = 0.13  # m
+TARGET_LEAST = 7.0  # px
+ALPHA_GHOST = (240, 55, 215)  # of its outline, its disc and its nose
+
+
+class WheelMark(NamedTuple):
+    """A wheel as drawn: body frame, metres and radians."""
+
+    x: float
+    y: float
+    direction: float  # where it rolls to
+    length: float
+    thickness: float
+    roller: float  # the angle of its rollers
+    dead: bool
+
+
+def wheel_marks(model: Robot) -> list[WheelMark]:
+    """All the wheels of a robot: the driven ones, then the dead ones."""
+    marks = _marks(model.drive, dead=False)
+    return marks + _marks(model.dead, dead=True) if model.dead else marks
+
+
+def _marks(wheels: Wheels, dead: bool) -> list[WheelMark]:
+    count = len(wheels.azimuth_deg)
+    directions = wheels.direction_deg or tuple(a + 90 for a in wheels.azimuth_deg)
+    rollers = per_item(wheels.roller_deg, count)
+    thickness = wheels.radius * TREAD["dead" if dead else "drive"]
+    return [
+        WheelMark(
+            distance * cos(radians(azimuth)),
+            distance * sin(radians(azimuth)),
+            radians(direction),
+            2 * wheels.radius,
+            thickness,
+            radians(roller),
+            dead,
+        )
+        for azimuth, distance, direction, roller in zip(
+            wheels.azimuth_deg, per_item(wheels.distance, count), directions, rollers, strict=True
+        )
+    ]
+
+
+def paint_robot(model: Robot, colour: look.Colour, px_per_m: float, heading: float) -> Canvas:
+    """A robot: shadow, body in its team's colour, white nose, hub, wheels."""
+    radius, marks = model.radius, wheel_marks(model)
+    reach = max(radius, *(hypot(m.x, m.y) + hypot(m.length, m.thickness) / 2 for m in marks))
+    canvas = _canvas(1.12 * reach, px_per_m)
+    rim = max(0.05 * radius, 1.0 / px_per_m)
+    canvas.disc((0.06 * radius, -0.09 * radius), radius, look.SHADOW)
+    canvas.disc((0, 0), radius, look.OUTLINE)
+    canvas.disc((0, 0), radius - rim, look.mix(colour, look.OUTLINE, 0.22))
+    canvas.disc((0, 0), 0.9 * (radius - rim), colour)
+    nose = sector(radius - rim, -NOSE, NOSE, HUB * radius)
+    canvas.polygon(turned(nose, heading), look.NOSE)
+    canvas.disc((0, 0), HUB * radius, look.HUB)
+    for mark in marks:
+        _paint_wheel(canvas, mark, heading)
+    return canvas
+
+
+def _paint_wheel(canvas: Canvas, mark: WheelMark, heading: float) -> None:
+    """A tyre with bevelled corners, and gaps between its rollers."""
+    long, wide = mark.length / 2, mark.thickness / 2
+    place = turned([(mark.x, mark.y)], heading)[0]
+    angle = heading + mark.direction
+    bevel = 0.35 * wide
+    quarter = [(long, wide - bevel), (long - bevel, wide)]
+    half = [*quarter, *((-x, y) for x, y in reversed(quarter))]
+    outline = [*half, *((-x, -y) for x, y in half)]
+    canvas.polygon(turned(outline, angle, place), look.DEAD_TYRE if mark.dead else look.TYRE)
+    shade = look.DEAD_ROLLER if mark.dead else look.ROLLER
+    lean = 0.7 * wide * sin(mark.roller)
+    for share in (-0.5, 0.0, 0.5):
+        x = share * mark.length * 0.9
+        start, end = turned([(x + lean, -0.7 * wide), (x - lean, 0.7 * wide)], angle, place)
+        canvas.line(start, end, 0.08 * mark.length, shade)
+
+
+def paint_ball(radius: float, px_per_m: float, heading: float) -> Canvas:
+    """A white ball with dark patches on its shadow."""
+    canvas = _canvas(1.45 * radius, px_per_m)
+    canvas.disc((0.2 * radius, -0.28 * radius), 1.04 * radius, look.SHADOW)
+    canvas.disc((0, 0), radius, look.BALL_RIM)
+    white = radius - min(0.09 * radius, 0.6 / px_per_m)
+    canvas.disc((0, 0), white, look.BALL)
+    corners = [i * 0.4 * pi for i in range(5)]
+    patch = [(0.34 * radius * cos(angle), 0.34 * radius * sin(angle)) for angle in corners]
+    canvas.polygon(turned(patch, heading), look.BALL_PATCH)
+    for angle in corners:
+        side = sector(white, angle - 0.22, angle + 0.22, 0.78 * radius)
+        canvas.polygon(turned(side, heading), look.BALL_PATCH)
+    return canvas
+
+
+def paint_ghost(radius: float, px_per_m: float, heading: float) -> Canvas:
+    """Where a robot believes it is: a see-through disc with the nose of a robot."""
+    canvas = _canvas(1.1 * radius, px_per_m)
+    outline, disc, nose = ((*look.BELIEVED, alpha) for alpha in ALPHA_GHOST)
+    width = max(0.06 * radius, 1.6 / px_per_m)
+    canvas.disc((0, 0), radius, disc)
+    canvas.polygon(turned(sector(radius, -NOSE, NOSE, GHOST_NOSE * radius), heading), nose)
+    canvas.ring((0, 0), radius, width, outline)
+    return canvas
+
+
+def target_radius(px_per_m: float) -> float:
+    """Of a target's ring, m: large enough to be seen."""
+    return max(TARGET_RADIUS, TARGET_LEAST / px_per_m)
+
+
+def paint_target(px_per_m: float, heading: float) -> Canvas:
+    """Where a robot shall go."""
+    radius = target_radius(px_per_m)
+    canvas = _canvas(2.0 * radius, px_per_m)
+    draw_target(canvas, radius, max(0.16 * radius, 1.6 / px_per_m), heading)
+    return canvas
+
+
+def draw_target(canvas: Canvas, radius: float, width: float, heading: float) -> None:
+    """A ring with a cross in the middle of the canvas, and an arrow head for the heading."""
+    canvas.ring((0, 0), radius, width, look.TARGET)
+    for angle in (0.0, pi / 2):
+        start, end = turned([(-0.62 * radius, 0), (0.62 * radius, 0)], heading + angle)
+        canvas.line(start, end, width, look.TARGET)
+    arrow = [(1.85 * radius, 0.0), (1.12 * radius, 0.5 * radius), (1.12 * radius, -0.5 * radius)]
+    canvas.polygon(turned(arrow, heading), look.TARGET)
+
+
+def _canvas(reach: float, px_per_m: float) -> Canvas:
+    side = 2 * ceil(reach * px_per_m + 1)
+    return Canvas((side, side), px_per_m)
+
+
+class Sprites:
+    """Robots, ball and marks at one scale; what was drawn once is kept, up to a bound."""
+
+    def __init__(self, models: list[Robot], ball_radius: float, px_per_m: float) -> None:
+        self.models = models
+        self.ball_radius = ball_radius
+        self.px_per_m = px_per_m
+        self.take = lru_cache(KEPT)(self._paint)
+
+    def _paint(self, kind: str, step: int, model: int = 0) -> pygame.Surface:
+        """One of `home`, `away`, `ghost`, `target`, `ball`, turned to one of STEPS headings."""
+        heading = step * 2 * pi / STEPS
+        if kind == "ball":
+            return paint_ball(self.ball_radius, self.px_per_m, heading).shrunk()
+        if kind == "target":
+            return paint_target(self.px_per_m, heading).shrunk()
+        robot = self.models[model]
+        if kind == "ghost":
+            return paint_ghost(robot.radius, self.px_per_m, heading).shrunk()
+        return paint_robot(robot, look.TEAMS[kind], self.px_per_m, heading).shrunk()

@@ -1,0 +1,62 @@
+"""A recording as a film: MP4 with H.264, which every player shows."""
+
+from os import PathLike, fspath
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from soccersim.problems import InputError, MachineError, Problem
+from soccersim.record.recording import Recording
+from soccersim.render import look
+from soccersim.render.frames import FrameRenderer, Progress, frame_indices
+
+if TYPE_CHECKING:
+    from av.video.stream import VideoStream
+
+THREADS = 2  # the bytes of a film depend on it, so it is never the number of this machine's cores
+OPTIONS = {"crf": "18", "preset": "veryfast"}  # crisp lines and letters
+COLOURS = "ITU709"  # as players expect them in a film as wide as ours
+BT709 = 1  # the same, as H.264 writes it down
+
+
+def save_video(
+    recording: Recording, path: str | PathLike[str], progress: Progress | None = None
+) -> int:
+    """Write the film and say how many frames it has; the same recording gives the same bytes."""
+    av = _av()
+    renderer, indices = FrameRenderer(recording), frame_indices(recording)
+    try:
+        with av.open(fspath(path), "w", format="mp4") as file:
+            stream = _stream(file, recording.scenario.timing.frames_hz)
+            for number, index in enumerate(indices):
+                pixels = np.frombuffer(renderer.draw(index).get_buffer().raw, np.uint8)
+                picture = pixels.reshape(look.SIZE[1], look.SIZE[0], 4)
+                frame = av.VideoFrame.from_ndarray(picture, format="bgra")
+                frame = frame.reformat(format="yuv420p", dst_colorspace=COLOURS)
+                file.mux(stream.encode(frame))
+                if progress:
+                    progress(number + 1, len(indices))
+            file.mux(stream.encode(None))
+    except (OSError, av.FFmpegError) as error:
+        reason = getattr(error, "strerror", None) or error
+        raise MachineError(f"{fspath(path)}: {reason}") from error
+    return len(indices)
+
+
+def _av() -> Any:
+    try:
+        import av
+    except ImportError:
+        missing = "a video needs PyAV, which is not installed: pip install 'soccersim[video]'"
+        raise InputError(Problem(missing)) from None
+    return av
+
+
+def _stream(file: Any, fps: int) -> "VideoStream":
+    stream: VideoStream = file.add_stream("libx264", rate=fps, options=OPTIONS)
+    stream.width, stream.height = look.SIZE
+    stream.pix_fmt = "yuv420p"
+    stream.thread_count = THREADS
+    context = stream.codec_context
+    context.colorspace = context.color_primaries = context.color_trc = BT709
+    return stream
