@@ -10,8 +10,9 @@ import sys
 import tempfile
 from collections.abc import Callable
 from functools import cache
+from importlib import import_module
 from pathlib import Path
-from typing import ParamSpec, TypeVar
+from typing import Any, ParamSpec, TypeVar
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -33,22 +34,24 @@ def kernel(function: Callable[P, R]) -> Callable[P, R]:
     """
     if not COMPILED:
         return function
-    import numba
-
+    # untyped on purpose: only the newest numba brings types, and not for these options
+    config: Any = import_module("numba.core.config")
+    njit: Any = import_module("numba").njit
     inner = function.__name__.startswith("_")
     folder = cache_folder()
-    before = numba.config.CACHE_DIR
-    numba.config.CACHE_DIR = str(folder or before)
+    before = config.CACHE_DIR
+    config.CACHE_DIR = str(folder or before)
     try:
-        compiled: Callable[P, R] = numba.njit(
+        compile_ = njit(
             cache=folder is not None,
             error_model="numpy",
             nogil=True,
             no_cpython_wrapper=inner,
             no_cfunc_wrapper=True,
-        )(function)
+        )
+        compiled: Callable[P, R] = compile_(function)
     finally:
-        numba.config.CACHE_DIR = before
+        config.CACHE_DIR = before
     return compiled
 
 

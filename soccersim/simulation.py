@@ -82,9 +82,7 @@ def run_ticks(m: Machine, tick: int, end: int, dt: float) -> int:
             reckon(m.odometry, m.estimate, m.readings, tick, dt)
             follow(m.plan, m.progress, m.estimate, m.command, tick, dt)
             seek(m.position, m.plan, m.progress, m.estimate, m.command, tick, dt)
-            turn_wheels(
-                m.wheels, m.position, m.plan, m.progress, m.readings, m.command, tick, dt
-            )
+            turn_wheels(m.wheels, m.position, m.plan, m.progress, m.readings, m.command, tick, dt)
             record_legs(m.log, m.progress, m.truth, m.estimate, tick)
         record(m.log, m.truth, m.readings, m.estimate, m.command, m.progress.leg, tick)
         if tick % m.control_every == 0 and finished(m.plan, m.progress):
@@ -213,8 +211,8 @@ class Simulation:
     def _collect(self) -> None:
         """Move the log's records to where the run is kept, and link them into the digest."""
         log = self.machine.log
-        count = int(log.count[0])
-        log.count[0] = 0
+        count = int(log.filled[0])
+        log.filled[0] = 0
         for key, parts in self._pieces.items():
             parts.append(getattr(log, key)[:count].copy())
         chained = ("body", "wheel_angle", "wheel_speed", "estimate")

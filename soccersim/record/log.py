@@ -15,7 +15,7 @@ class Log(NamedTuple):
     """Records of the piece being run, and for each leg how it ended."""
 
     every: int  # ticks from record to record
-    count: Whole  # (1,) records so far
+    filled: Whole  # (1,) records so far
     tick: Whole  # (N,)
     body: Array  # (N, B, 6)
     estimate: Array  # (N, R, 3)
@@ -44,7 +44,7 @@ def new_log(every: int, bodies: int, robots: int, wheels: int, legs: int) -> Log
     ticks[:, :, 1] = -1
     return Log(
         every=every,
-        count=z(1, whole),
+        filled=z(1, whole),
         tick=z(RECORDS, whole),
         body=z((RECORDS, bodies, 6)),
         estimate=z((RECORDS, robots, 3)),
@@ -79,8 +79,8 @@ def record(
     """Write one record where one is due."""
     if tick % log.every != 0:
         return
-    n = log.count[0]
-    log.count[0] = n + 1
+    n = log.filled[0]
+    log.filled[0] = n + 1
     log.tick[n] = tick
     for body in range(truth.body.shape[0]):
         for k in range(6):
@@ -103,9 +103,7 @@ def record(
 
 
 @kernel
-def record_legs(
-    log: Log, progress: Progress, truth: Truth, estimate: Estimate, tick: int
-) -> None:
+def record_legs(log: Log, progress: Progress, truth: Truth, estimate: Estimate, tick: int) -> None:
     """Note how the legs that end at this tick ended, the first time they are driven."""
     for robot in range(progress.ended.shape[0]):
         leg = progress.ended_leg[robot]

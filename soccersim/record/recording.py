@@ -96,9 +96,10 @@ class Recording:
         groups = ("poses", *self.meta["scenario"]["record"])
         kept = {k: self.arrays[k] for group in groups for k in GROUPS[group] if k in self.arrays}
         text = json.dumps(self.meta, allow_nan=False).encode()
+        kept["meta"] = np.frombuffer(text, np.uint8)
         try:
             with open(path, "wb") as file:
-                np.savez_compressed(file, meta=np.frombuffer(text, np.uint8), **kept)
+                np.savez_compressed(file, allow_pickle=False, **kept)
         except OSError as error:
             raise MachineError(f"{path}: {error.strerror or error}") from error
 

@@ -33,6 +33,11 @@ class Goal(Spec):
     net_elasticity: Share = 0.1
     """The net stops the ball (estimate)."""
 
+    @property
+    def post_centre(self) -> float:
+        """|y| of the posts' centres, m."""
+        return self.width / 2 + self.post_radius
+
 
 class Field(Spec):
     """A soccer field with a board round it."""

@@ -249,11 +249,8 @@ class Scenario(Spec):
             for place, name, x, y, r in bodies
             if abs(x) > self._room(r)[0] or abs(y) > self._room(r)[1]
         ]
-        posts = [
-            (sx * self.field.half_length, sy * (self.field.goal.width / 2 + self.field.goal.post_radius))
-            for sx in (-1, 1)
-            for sy in (-1, 1)
-        ]
+        goal_line, post = self.field.half_length, self.field.goal.post_centre
+        posts = [(sx * goal_line, sy * post) for sx in (-1, 1) for sy in (-1, 1)]
         for place, name, x, y, r in bodies:
             if any(hypot(x - px, y - py) < r + self.field.goal.post_radius for px, py in posts):
                 faults.append(Fault(f"{name} stands in a goal post", at=place))

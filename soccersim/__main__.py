@@ -1,0 +1,6 @@
+"""`python -m soccersim`."""
+
+from soccersim.cli.main import main
+
+if __name__ == "__main__":
+    main()
