@@ -30,6 +30,7 @@ DEAD_ROLLER = (168, 176, 186)
 SHADOW = (8, 24, 14, 80)
 
 BALL = (255, 255, 255)  # the only pure white in a picture
+GLOW = (255, 255, 255, 60)
 BALL_RIM = (120, 128, 136)
 BALL_PATCH = (34, 38, 44)
 

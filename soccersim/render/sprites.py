@@ -19,6 +19,7 @@ HUB = 0.46  # of the radius: the disc that carries the number
 TREAD = {"drive": 0.8, "dead": 0.6}  # thickness of a wheel beside its radius
 TARGET_RADIUS = 0.13  # m
 TARGET_LEAST = 7.0  # px
+GLOW = 9.0  # px, radius: on a large field the eye must find the ball
 ALPHA_GHOST = (240, 55, 215)  # of its outline, its disc and its nose
 
 
@@ -98,8 +99,10 @@ def _paint_wheel(canvas: Canvas, mark: WheelMark, heading: float) -> None:
 
 
 def paint_ball(radius: float, px_per_m: float, heading: float) -> Canvas:
-    """A white ball with dark patches on its shadow."""
-    canvas = _canvas(1.45 * radius, px_per_m)
+    """A white ball with dark patches, its shadow, and a glow where it is small."""
+    glow = GLOW / px_per_m
+    canvas = _canvas(max(glow, 1.45 * radius), px_per_m)
+    canvas.disc((0, 0), glow, look.GLOW)
     canvas.disc((0.2 * radius, -0.28 * radius), 1.04 * radius, look.SHADOW)
     canvas.disc((0, 0), radius, look.BALL_RIM)
     white = radius - min(0.09 * radius, 0.6 / px_per_m)

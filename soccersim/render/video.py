@@ -4,6 +4,7 @@ from os import PathLike, fspath
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import pygame
 
 from soccersim.problems import InputError, MachineError, Problem
 from soccersim.record.recording import Recording
@@ -11,6 +12,7 @@ from soccersim.render import look
 from soccersim.render.frames import FrameRenderer, Progress, frame_indices
 
 if TYPE_CHECKING:
+    from av.video.frame import VideoFrame
     from av.video.stream import VideoStream
 
 THREADS = 2  # the bytes of a film depend on it, so it is never the number of this machine's cores
@@ -28,15 +30,13 @@ def save_video(
     try:
         with av.open(fspath(path), "w", format="mp4") as file:
             stream = _stream(file, recording.scenario.timing.frames_hz)
-            for number, index in enumerate(indices):
-                pixels = np.frombuffer(renderer.draw(index).get_buffer().raw, np.uint8)
-                picture = pixels.reshape(look.SIZE[1], look.SIZE[0], 4)
-                frame = av.VideoFrame.from_ndarray(picture, format="bgra")
-                frame = frame.reformat(format="yuv420p", dst_colorspace=COLOURS)
-                file.mux(stream.encode(frame))
-                if progress:
-                    progress(number + 1, len(indices))
-            file.mux(stream.encode(None))
+            try:
+                for number, index in enumerate(indices):
+                    file.mux(stream.encode(_frame(renderer.draw(index), av)))
+                    if progress:
+                        progress(number + 1, len(indices))
+            finally:  # an interrupted film can be seen up to where it came
+                file.mux(stream.encode(None))
     except (OSError, av.FFmpegError) as error:
         reason = getattr(error, "strerror", None) or error
         raise MachineError(f"{fspath(path)}: {reason}") from error
@@ -50,6 +50,14 @@ def _av() -> Any:
         missing = "a video needs PyAV, which is not installed: pip install 'soccersim[video]'"
         raise InputError(Problem(missing)) from None
     return av
+
+
+def _frame(surface: pygame.Surface, av: Any) -> "VideoFrame":
+    pixels = np.frombuffer(surface.get_buffer().raw, np.uint8)
+    frame: VideoFrame = av.VideoFrame.from_ndarray(
+        pixels.reshape(surface.height, surface.width, 4), format="bgra"
+    )
+    return frame.reformat(format="yuv420p", dst_colorspace=COLOURS)
 
 
 def _stream(file: Any, fps: int) -> "VideoStream":

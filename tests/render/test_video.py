@@ -51,3 +51,14 @@ def test_a_film_that_cannot_be_written_is_named(tmp_path):
     path = tmp_path / "nowhere" / "run.mp4"
     with pytest.raises(MachineError, match=str(path)):
         save_video(standing((0, 0, 0)), path)
+
+
+def test_an_interrupted_film_can_be_seen_up_to_there(tmp_path):
+    def stop(done, _):
+        if done == 12:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        save_video(kickabout(1, seconds=1), tmp_path / "run.mp4", progress=stop)
+    with av.open(str(tmp_path / "run.mp4")) as film:
+        assert sum(1 for _ in film.decode(video=0)) == 12
