@@ -3,6 +3,7 @@
 from math import degrees
 from typing import TYPE_CHECKING, Any
 
+from rich.box import SIMPLE_HEAD
 from rich.console import Console
 from rich.table import Table
 
@@ -10,12 +11,12 @@ if TYPE_CHECKING:
     from soccersim.spec.scenario import Scenario
 
 ROWS = {  # what `--runs` shows of each leg: title, and the unit it is shown in
-    "odometry_error": ("odometry - target", "m"),
-    "truth_error": ("truth - target", "m"),
-    "drift": ("truth - odometry", "m"),
-    "odometry_heading_error": ("heading, odometry - target", "deg"),
-    "truth_heading_error": ("heading, truth - target", "deg"),
-    "heading_drift": ("heading, truth - odometry", "deg"),
+    "odometry_error": ("odometry from target", "m"),
+    "truth_error": ("truth from target", "m"),
+    "drift": ("truth from odometry", "m"),
+    "odometry_heading_error": ("heading, odometry", "deg"),
+    "truth_heading_error": ("heading, truth", "deg"),
+    "heading_drift": ("heading, drift", "deg"),
     "time": ("time", "s"),
 }
 
@@ -32,48 +33,63 @@ def show(spec: "Scenario", document: dict[str, Any]) -> None:
         return
     console.print(legs_table(document))
     console.print(
-        "[dim]poses: x, y in m and heading in deg, counter-clockwise, in the scenario's "
-        "frame; * the leg ran out of time[/]"
+        "[dim]In the scenario's frame, headings counter-clockwise. Error: distance from the target;"
+        " drift: from odometry to truth.[/]"
     )
     if "bands" in document:
         console.print(bands_table(document))
 
 
 def legs_table(document: dict[str, Any]) -> Table:
-    """A row a leg, under it the paper's row where there is one."""
-    table = Table(title="where each leg ended", title_justify="left", header_style="bold")
-    table.add_column("robot", no_wrap=True)
-    table.add_column("leg", justify="right")
-    for name in ("target", "odometry", "truth"):
+    """A block a leg: target, odometry, truth, drift and time, ours and the paper's."""
+    legs = [
+        (robot["name"], k, leg)
+        for robot in document["robots"]
+        for k, leg in enumerate(robot["legs"], 1)
+    ]
+    papers = any(leg["paper"] for _, _, leg in legs)
+    table = new_table("where each leg ended", "")
+    for name in ("x m", "y m", "heading\ndeg", "error\nm"):
         table.add_column(name, justify="right", no_wrap=True)
-    for name in ("odometry\nerror", "true\nerror", "drift"):
-        table.add_column(f"{name} m", justify="right")
-    table.add_column("time s", justify="right")
-    for robot in document["robots"]:
-        for k, leg in enumerate(robot["legs"], 1):
-            late = "" if leg["reached"] else "*"
-            table.add_row(robot["name"] if k == 1 else "", f"{k}{late}", *_cells(leg))
-            if leg["paper"]:
-                cells = _cells({**leg["paper"], "target": None})
-                table.add_row("", "paper", *cells, style="magenta")
-        table.add_section()
+    if papers:
+        for name in ("paper\nx m", "\ny m", "heading\ndeg", "error\nm"):
+            table.add_column(name, justify="right", no_wrap=True, style="magenta")
+    for name, k, leg in legs:
+        table.add_row(f"{name} {k}", style="bold")
+        for row, pose, error in BLOCK:
+            cells = [*_cells(leg, pose, error), *_cells(leg["paper"] or {}, pose, error, row)]
+            table.add_row(f"  {row}", *cells[: 8 if papers else 4])
+        if not leg["reached"]:
+            table.add_row("  out of time", style="red")
     return table
 
 
-def _cells(leg: dict[str, Any]) -> list[str]:
-    """Poses, errors and time as text."""
-    poses = [pose_text(leg[key]) for key in ("target", "odometry", "truth")]
-    errors = [number(leg[key], "m") for key in ("odometry_error", "truth_error", "drift")]
-    return [*poses, *errors, number(leg["time"], "s")]
+def new_table(title: str, *columns: str) -> Table:
+    """A plain table with left columns."""
+    table = Table(title=title, title_justify="left", box=SIMPLE_HEAD, padding=(0, 1, 0, 0))
+    for column in columns:
+        table.add_column(column, no_wrap=True)
+    return table
 
 
-def pose_text(pose: list[float | None] | None) -> str:
-    """`x y heading` in m and deg."""
-    if pose is None:
-        return ""
-    x, y, heading = pose
-    turn = "    -" if heading is None else f"{degrees(heading) + 0.0:5.1f}"
-    return f"{x:6.3f} {y:6.3f} {turn}"
+BLOCK = (  # rows of a leg's block: title, its pose, its error
+    ("target", "target", ""),
+    ("odometry", "odometry", "odometry_error"),
+    ("truth", "truth", "truth_error"),
+    ("drift", "", "drift"),
+    ("time s", "", "time"),
+)
+
+
+def _cells(leg: dict[str, Any], pose: str, error: str, row: str = "") -> list[str]:
+    """x, y, heading and error as text; a paper's target is not told twice."""
+    x, y, heading = (row != "target" and leg.get(pose)) or (None, None, None)
+    return [
+        number(x, "m"),
+        number(y, "m"),
+        number(heading, "deg"),
+        number(leg.get(error), "s" if error == "time" else "m"),
+    ]
 
 
 def number(value: float | None, unit: str) -> str:
@@ -81,28 +97,25 @@ def number(value: float | None, unit: str) -> str:
     if value is None:
         return ""
     if unit == "deg":
-        return f"{degrees(value):.2f}"
+        return f"{degrees(value) + 0.0:.2f}"
     return f"{value:.2f}" if unit == "s" else f"{value:.3f}"
 
 
 def bands_table(document: dict[str, Any]) -> Table:
     """Per leg and error: the paper's value, our median and 5-95 % band, where the paper lies."""
-    runs = len(document["runs"])
-    table = Table(title=f"over {runs} seeds", title_justify="left", header_style="bold")
-    for name in ("robot", "leg", "what"):
-        table.add_column(name)
-    for name in ("paper", "median", "5-95 %", "paper's\npercentile"):
+    table = new_table(f"over {len(document['runs'])} seeds", "")
+    for name in ("paper", "median", "5 %", "95 %", "paper's\npercentile"):
         table.add_column(name, justify="right")
     for i, robot in enumerate(document["bands"]):
         for k, leg in enumerate(robot["legs"]):
+            table.add_row(f"{robot['name']} {k + 1}", style="bold")
             for key, (title, unit) in ROWS.items():
                 if key in leg:
                     paper = _paper_value(document, i, k, key)
                     low, middle, high = (number(value, unit) for value in leg[key])
                     place = percentile(document, i, k, key, paper)
-                    row = (f"{title}, {unit}", number(paper, unit), middle, f"{low} .. {high}")
-                    table.add_row(robot["name"], str(k + 1), *row, place)
-            table.add_section()
+                    row = f"  {title}, {unit}"
+                    table.add_row(row, number(paper, unit), middle, low, high, place)
     return table
 
 
