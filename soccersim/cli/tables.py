@@ -97,8 +97,9 @@ def number(value: float | None, unit: str) -> str:
     if value is None:
         return ""
     if unit == "deg":
-        return f"{degrees(value) + 0.0:.2f}"
-    return f"{value:.2f}" if unit == "s" else f"{value:.3f}"
+        return f"{round(degrees(value), 2) + 0.0:.2f}"
+    places = 2 if unit == "s" else 3
+    return f"{round(value, places) + 0.0:.{places}f}"  # no -0.000
 
 
 def bands_table(document: dict[str, Any]) -> Table:

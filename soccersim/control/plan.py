@@ -36,13 +36,14 @@ class Progress(NamedTuple):
     """Where each robot is in its plan."""
 
     leg: Whole  # (R,) the leg it is on; equal to `legs` when it is through
-    since: Whole  # (R,) tick at which the leg began; -1: not begun
+    since: Whole  # (R,) tick at which the leg, or else the last one, began; -1: not begun
     within: Whole  # (R,) tick since which it has been within the arrival's bounds; -1: it is not
     ended: Whole  # (R,) 1: a leg ended in this step, `ended_leg` with `ended_reached`
     ended_leg: Whole  # (R,)
     ended_reached: Whole  # (R,)
     start: Array  # (R, 3) believed pose at the leg's start; field frame
     goal: Array  # (R, 3) its target, the heading unwrapped
+    written: Array  # (R,) its heading as the plan has it
     motion: Array  # (R, 3) velocity of the set-point, field frame; the controller's feed-forward
 
 
@@ -70,7 +71,8 @@ def build_plan(scenario: Scenario, wheels: int) -> Plan:
         plan.profiled[i] = player.pushed_by is not None or control.profile == "trapezoid"
         plan.distance[i] = control.arrival.distance
         plan.angle[i] = control.arrival.angle_deg * pi / 180
-        plan.dwell[i] = round(control.arrival.dwell * scenario.timing.physics_hz)
+        dwell = player.pushed_by.settle if player.pushed_by else control.arrival.dwell
+        plan.dwell[i] = round(dwell * scenario.timing.physics_hz)
         plan.limits[i] = _limits(player)
         for k, leg in enumerate(player.path or ()):
             _plan_leg(plan, scenario, i, k, leg, leg.timeout or control.arrival.timeout)
@@ -109,7 +111,8 @@ def _limits(player: Player) -> tuple[float, float, float, float]:
 def new_progress(start: Array) -> Progress:
     """Nobody has begun; start (R, 3) is where the robots stand."""
     whole = (np.zeros(len(start), np.int64) for _ in range(6))
-    progress = Progress(*whole, np.zeros_like(start), start.copy(), np.zeros_like(start))
+    standing = (np.zeros_like(start), start.copy(), start[:, 2].copy(), np.zeros_like(start))
+    progress = Progress(*whole, *standing)
     progress.since[:] = -1
     progress.within[:] = -1
     return progress
@@ -122,15 +125,15 @@ def follow(
     """End the legs that are over, begin the next, and set the set-points of this step."""
     for robot in range(plan.every.shape[0]):
         progress.ended[robot] = 0
-        if tick % plan.every[robot] != 0 or progress.leg[robot] >= plan.legs[robot]:
+        if tick % plan.every[robot] != 0 or plan.legs[robot] == 0:
             continue
-        if progress.since[robot] >= 0:
+        if progress.since[robot] >= 0 and progress.leg[robot] < plan.legs[robot]:
             _end_leg(plan, progress, estimate, robot, tick)
-        if progress.leg[robot] >= plan.legs[robot]:
-            continue
         if progress.since[robot] < 0:
             _begin_leg(plan, progress, estimate, robot, tick)
-        if plan.kind[robot, progress.leg[robot]] == TARGET:
+        # one that is through goes on to its last target, and stays there
+        leg = min(progress.leg[robot], plan.legs[robot] - 1)
+        if plan.kind[robot, leg] == TARGET:
             _set_reference(plan, progress, command, robot, (tick - progress.since[robot]) * dt)
         else:
             for k in range(3):
@@ -154,14 +157,19 @@ def _begin_leg(plan: Plan, progress: Progress, estimate: Estimate, robot: int, t
     leg = progress.leg[robot]
     progress.since[robot] = tick
     progress.within[robot] = -1
+    heading = plan.value[robot, leg, 2]
+    turned = progress.goal[robot, 2] + heading - progress.written[robot]
+    progress.written[robot] = heading
     for k in range(3):
         # a hand goes from mark to mark on the floor, a robot from where it believes to be
         pushed = plan.pushed[robot] == 1
         progress.start[robot, k] = progress.goal[robot, k] if pushed else estimate.pose[robot, k]
         progress.goal[robot, k] = plan.value[robot, leg, k]
-    if plan.as_written[robot, leg] == 0:
+    if plan.as_written[robot, leg] == 1:
+        progress.goal[robot, 2] = turned
+    else:
         here = progress.start[robot, 2]
-        progress.goal[robot, 2] = here + wrap_angle(plan.value[robot, leg, 2] - here)
+        progress.goal[robot, 2] = here + wrap_angle(heading - here)
 
 
 @kernel
@@ -184,9 +192,10 @@ def _end_leg(plan: Plan, progress: Progress, estimate: Estimate, robot: int, tic
         progress.ended_leg[robot] = leg
         progress.ended_reached[robot] = 1 if reached else 0
         progress.leg[robot] = leg + 1
-        progress.since[robot] = -1
         if plan.repeat[robot] == 1 and progress.leg[robot] == plan.legs[robot]:
             progress.leg[robot] = 0
+        if progress.leg[robot] < plan.legs[robot]:
+            progress.since[robot] = -1
 
 
 @kernel
@@ -203,9 +212,7 @@ def _arrived(plan: Plan, progress: Progress, estimate: Estimate, robot: int, spe
 
 
 @kernel
-def _set_reference(
-    plan: Plan, progress: Progress, command: Command, robot: int, t: float
-) -> None:
+def _set_reference(plan: Plan, progress: Progress, command: Command, robot: int, t: float) -> None:
     """The set-point at t seconds into the leg, and its velocity."""
     dx = progress.goal[robot, 0] - progress.start[robot, 0]
     dy = progress.goal[robot, 1] - progress.start[robot, 1]

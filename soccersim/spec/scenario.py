@@ -8,7 +8,7 @@ from typing import Annotated, Literal
 from pydantic import Field as Key
 from pydantic import model_validator
 
-from soccersim.spec.base import Name, Number, Point, Pose, Positive, Rate, Spec
+from soccersim.spec.base import Name, NonNegative, Number, Point, Pose, Positive, Rate, Spec
 from soccersim.spec.field import Field
 from soccersim.spec.frame import Coordinates, Frame, Units
 from soccersim.spec.robot import MAX_WHEELS, Robot
@@ -72,6 +72,8 @@ class Hand(Spec):
     """m/s2 (estimate)."""
     turn_rate: Positive = 1.5
     """rad/s (estimate)."""
+    settle: NonNegative = 0.6
+    """Seconds it holds the robot on each mark before the reading is taken (estimate)."""
 
 
 class Player(Spec):
