@@ -97,11 +97,11 @@ def _short(document: dict[str, Any]) -> dict[str, Any]:
     return {key: document[key] for key in ("seed", "digest", "duration", "robots")}
 
 
-def prepare(out: Path, force: bool) -> None:
+def prepare(out: Path, force: bool, names: tuple[str, ...] = FILES) -> None:
     """Make the folder; refuse to overwrite an earlier run's files unless told to."""
     from soccersim.problems import InputError, MachineError, Problem
 
-    there = [name for name in FILES if (out / name).exists()]
+    there = [name for name in names if (out / name).exists()]
     if there and not force:
         wrong = f"holds {', '.join(there)} already: choose another folder, or add --force"
         raise InputError(Problem(wrong, file=str(out)))

@@ -1,0 +1,127 @@
+"""`soccersim reproduce`."""
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+    from soccersim.reproduce.section import Section
+
+
+@click.command("reproduce", short_help="Every table of the papers beside ours.")
+@click.argument("papers", nargs=-1)
+@click.option("--out", type=click.Path(path_type=Path), help="Folder for JSON, pictures and page.")
+@click.option("--seeds", type=click.IntRange(2, 100_000), default=200, help="Runs behind a band.")
+@click.option("--jobs", type=click.IntRange(1, 256), help="Processes; default: all cores.")
+@click.option("--force", is_flag=True, help="Overwrite what is in --out.")
+@click.option("--json", "as_json", is_flag=True, help="One JSON document on stdout.")
+def command(
+    papers: tuple[str, ...],
+    out: Path | None,
+    seeds: int,
+    jobs: int | None,
+    force: bool,
+    as_json: bool,
+) -> None:
+    """Reproduce PAPERS (idris, utama, dasmahapatra, four-wheel, garcia), all by default.
+
+    \b
+    soccersim reproduce idris
+    soccersim reproduce --out results      reproduce.html, reproduce.json, a picture a table
+
+    Each table shows the paper's value as printed, ours as simulated and the difference, and marks
+    where the paper itself is wrong, with the reason. Physics and what was fitted to a table stand
+    in columns of their own.
+    """
+    from soccersim.cli.progress import Bar
+    from soccersim.cli.run import announce_compiling, prepare
+    from soccersim.reproduce.lab import Lab
+    from soccersim.reproduce.papers import PAPERS, sections
+
+    wanted = list(dict.fromkeys(papers)) or list(PAPERS)
+    _check(wanted)
+    if out:
+        prepare(out, force, ("reproduce.json", "reproduce.html"))
+    announce_compiling()
+    found: dict[str, list[Section]] = {}
+    with Bar("reproducing") as bar, Lab(jobs, seeds, bar) as lab:
+        for name in wanted:
+            found[name] = list(sections(name, lab))
+    document = {"papers": {name: [s.document() for s in found[name]] for name in wanted}}
+    if out:
+        write(found, document, out)
+    if as_json:
+        click.echo(json.dumps(document))
+    else:
+        from rich.console import Console
+
+        for name in wanted:
+            Console().rule(f"[bold]{PAPERS[name]}")
+            for section in found[name]:
+                show(Console(), section)
+    if out:
+        click.echo(f"wrote {out / 'reproduce.html'}, reproduce.json and pictures", err=True)
+
+
+def _check(papers: list[str]) -> None:
+    """InputError where a paper is not known."""
+    from difflib import get_close_matches
+
+    from soccersim.problems import InputError, Problem
+    from soccersim.reproduce.papers import PAPERS
+
+    for name in papers:
+        if name not in PAPERS:
+            near = get_close_matches(name, PAPERS, n=1)
+            hint = f"did you mean `{near[0]}`?" if near else f"there are {', '.join(PAPERS)}"
+            raise InputError(Problem(f"no paper `{name[:60]}`: {hint}"))
+
+
+def write(found: "dict[str, list[Section]]", document: dict[str, Any], out: Path) -> None:
+    """Pictures, reproduce.json and reproduce.html; MachineError where they cannot be written."""
+    from soccersim.problems import MachineError
+    from soccersim.reproduce.page import page
+
+    try:
+        for name, sections in found.items():
+            for section, entry in zip(sections, document["papers"][name], strict=True):
+                if section.figure:
+                    entry["figure"] = f"{name}-{section.key}.png"
+                    section.figure().savefig(out / entry["figure"], metadata={"Software": None})
+        text = json.dumps(document, indent=1, ensure_ascii=False) + "\n"
+        (out / "reproduce.json").write_text(text, encoding="utf-8")
+        (out / "reproduce.html").write_text(page(document, out), encoding="utf-8")
+    except OSError as error:
+        place = error.filename or out
+        raise MachineError(f"{place}: {error.strerror or error}") from error
+
+
+def show(console: "Console", section: "Section") -> None:
+    """A section on the console."""
+    from soccersim.cli.tables import new_table
+    from soccersim.reproduce.section import text
+
+    table = new_table(f"[bold]{section.title}[/]")
+    for column in section.columns:
+        table.add_column(column, justify="right")
+    if section.marks:
+        table.add_column("", style="red")
+    for i, row in enumerate(section.rows):
+        why = section.marks.get(i)
+        mark = [why or ""] if section.marks else []
+        table.add_row(*map(text, row), *mark, style="red" if why else None)
+    if section.rows:
+        console.print(table)
+    for s in section.summary:
+        ours = f", ours {text(s.ours)}{' (fitted)' if s.fitted else ''}"
+        band = f" [{text(s.band[0])} .. {text(s.band[1])}]" if s.band else ""
+        again = f", recomputed {text(s.recomputed)}" if s.recomputed is not None else ""
+        line = f"{s.what}: paper {text(s.printed)}{again}{ours if s.ours is not None else ''}{band}"
+        console.print(f"  {line}{' - ' + s.note if s.note else ''}", highlight=False, markup=False)
+    for note in section.notes:
+        console.print(f"  {note}", style="dim", highlight=False, markup=False)
+    console.print()

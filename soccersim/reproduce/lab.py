@@ -1,0 +1,63 @@
+"""Runs scenarios over many seeds for the reproductions, on all cores, with one progress bar."""
+
+import multiprocessing
+import os
+from collections.abc import Callable, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from types import TracebackType
+from typing import Any, Self
+
+from soccersim.repeat import run_seed
+from soccersim.spec.load import load_scenario
+
+SEEDS = 200  # runs behind a median and its 5-95 % band
+
+
+class Lab:
+    """A pool of processes that is started when first used; results do not depend on its size.
+
+    >>> with Lab(jobs=2) as lab:
+    ...     runs = lab.runs("defender", seeds=range(200))
+    """
+
+    def __init__(
+        self,
+        jobs: int | None = None,
+        seeds: int = SEEDS,
+        progress: Callable[[float], None] | None = None,
+    ) -> None:
+        self.seeds = range(seeds)
+        self._jobs = jobs or os.cpu_count() or 1
+        self._progress = progress
+        self._pool: ProcessPoolExecutor | None = None
+
+    def runs(self, scenario: str, settings: Sequence[str] = ()) -> list[dict[str, Any]]:
+        """The short report (seed, digest, duration, robots) of every seed, in order."""
+        document = load_scenario(scenario, settings=settings).model_dump_json()
+        return self.map(run_seed, [document] * len(self.seeds), self.seeds)
+
+    def map(self, function: Callable[..., Any], *arguments: Sequence[Any]) -> list[Any]:
+        """function over arguments, in order; function must be importable, its results small."""
+        if self._jobs == 1:
+            return [function(*row) for row in zip(*arguments, strict=True)]
+        if self._pool is None:
+            context = multiprocessing.get_context("spawn")
+            self._pool = ProcessPoolExecutor(self._jobs, mp_context=context)
+        return list(self._pool.map(function, *arguments, chunksize=8))
+
+    def told(self, share: float) -> None:
+        """Tell the progress bar how much of all is done."""
+        if self._progress:
+            self._progress(share)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        if self._pool:
+            self._pool.shutdown(cancel_futures=True)
