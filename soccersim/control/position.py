@@ -17,6 +17,8 @@ from soccersim.spec.robot import Robot
 from soccersim.state import Array, Command, Estimate, Whole
 
 GAINS = ("kp", "ki", "kd")
+BRAKING = 0.8  # of the acceleration limit is counted on to stop: the wheels answer late
+CATCH_UP = 1.5  # times a profile's own accelerations, which alone would leave none to correct with
 
 
 class PositionLoop(NamedTuple):
@@ -26,6 +28,7 @@ class PositionLoop(NamedTuple):
     ki: Array  # (R, 3) 1/s2
     kd: Array  # (R, 3)
     limits: Array  # (R, 4) speed, acceleration, turn rate, turn acceleration; inf: none
+    braking: Array  # (R, 2) m/s2 and rad/s2 with which an error can be slowed down for; inf: any
     sums: Array  # (R, 3) integrals of the error
     last: Array  # (R, 3) estimate at the last step
     velocity: Array  # (R, 3) asked for at the last step; field frame
@@ -36,21 +39,24 @@ def build_position_loop(robots: Sequence[Robot], start: Array) -> PositionLoop:
     """The loops at rest; start (R, 3) is where the robots believe to stand."""
     axes = [(r.control.x, r.control.y, r.control.heading) for r in robots]
     gains = [np.array([[getattr(pid, g) for pid in row] for row in axes]) for g in GAINS]
-    limits = [r.control.limits for r in robots]
+    limits, braking = np.zeros((len(robots), 4)), np.zeros((len(robots), 2))
+    for i, robot in enumerate(robots):
+        most = robot.control.limits
+        pace = np.array([most.acceleration or inf, most.turn_acceleration or inf])
+        if robot.control.profile == "trapezoid":
+            limits[i, 1::2], braking[i] = CATCH_UP * pace, (CATCH_UP - 1.0) * pace
+        else:
+            limits[i, 1::2], braking[i] = pace, BRAKING * pace
+        limits[i, ::2] = most.speed, most.turn_rate
     return PositionLoop(
         *gains,
-        np.array(
-            [
-                (s.speed, s.acceleration or inf, s.turn_rate, s.turn_acceleration or inf)
-                for s in limits
-            ]
-        ),
+        limits,
+        braking,
         np.zeros_like(start),
         start.copy(),
         np.zeros_like(start),
         np.zeros(len(robots), np.int64),
     )
-
 
 
 @kernel
@@ -98,17 +104,21 @@ def _pid(
     dt: float,
 ) -> None:
     """The wanted velocity in the field frame, limited, turned into the body frame."""
-    wanted = (
-        _axis(loop, progress, estimate, command, robot, 0, dt),
-        _axis(loop, progress, estimate, command, robot, 1, dt),
-        _axis(loop, progress, estimate, command, robot, 2, dt),
-    )
-    vx, vy, omega = _limited(loop, robot, wanted[0], wanted[1], wanted[2], dt)
-    held = vx == wanted[0] and vy == wanted[1] and omega == wanted[2]
+    ex = command.reference[robot, 0] - estimate.pose[robot, 0]
+    ey = command.reference[robot, 1] - estimate.pose[robot, 1]
+    turn = command.reference[robot, 2] - estimate.pose[robot, 2]
+    px, py, pw = loop.kp[robot, 0] * ex, loop.kp[robot, 1] * ey, loop.kp[robot, 2] * turn
+    ease = _ease(sqrt(px * px + py * py), sqrt(ex * ex + ey * ey), loop.braking[robot, 0])
+    turn_ease = _ease(abs(pw), abs(turn), loop.braking[robot, 1])
+    wx = ease * px + _rest(loop, progress, estimate, robot, 0, dt)
+    wy = ease * py + _rest(loop, progress, estimate, robot, 1, dt)
+    ww = turn_ease * pw + _rest(loop, progress, estimate, robot, 2, dt)
+    vx, vy, omega = _limited(loop, robot, wx, wy, ww, dt)
+    free = ease == 1.0 and turn_ease == 1.0 and vx == wx and vy == wy and omega == ww
     for k in range(3):
         error = command.reference[robot, k] - estimate.pose[robot, k]
         # anti-windup: no summing while a limit holds the command, save towards zero
-        if (held and loop.saturated[robot] == 0) or error * loop.sums[robot, k] < 0.0:
+        if (free and loop.saturated[robot] == 0) or error * loop.sums[robot, k] < 0.0:
             loop.sums[robot, k] += error * dt
         loop.last[robot, k] = estimate.pose[robot, k]
     loop.velocity[robot, 0], loop.velocity[robot, 1], loop.velocity[robot, 2] = vx, vy, omega
@@ -119,25 +129,29 @@ def _pid(
 
 
 @kernel
-def _axis(
-    loop: PositionLoop,
-    progress: Progress,
-    estimate: Estimate,
-    command: Command,
-    robot: int,
-    k: int,
-    dt: float,
+def _rest(
+    loop: PositionLoop, progress: Progress, estimate: Estimate, robot: int, k: int, dt: float
 ) -> float:
-    """PID of one axis on top of the set-point's own velocity; the derivative on the measurement."""
-    error = command.reference[robot, k] - estimate.pose[robot, k]
+    """One axis without its proportional part: the set-point's own velocity, integral, derivative.
+
+    The derivative acts on the measurement: a set-point that jumps gives no kick.
+    """
     feed = progress.motion[robot, k]
     rate = (estimate.pose[robot, k] - loop.last[robot, k]) / dt
-    return (
-        feed
-        + loop.kp[robot, k] * error
-        + loop.ki[robot, k] * loop.sums[robot, k]
-        + loop.kd[robot, k] * (feed - rate)
-    )
+    return feed + loop.ki[robot, k] * loop.sums[robot, k] + loop.kd[robot, k] * (feed - rate)
+
+
+@kernel
+def _ease(asked: float, error: float, braking: float) -> float:
+    """The share of a proportional answer from which the robot can still stop at the target.
+
+    Near the target all of it; farther off, where slowing down in proportion to the error would
+    take more than the braking there is, the speed that falls by `braking` all the way.
+    """
+    if asked * asked <= braking * error:
+        return 1.0
+    near = error * braking * error / (asked * asked)  # from here on in proportion
+    return sqrt(braking * (2.0 * error - near)) / asked
 
 
 @kernel

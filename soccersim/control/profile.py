@@ -1,6 +1,6 @@
 """Motion profiles from rest to rest along a line: bang-bang, with a cruise where there is room."""
 
-from math import atanh, exp, sqrt
+from math import expm1, log1p, sqrt
 
 from soccersim.kernel import kernel
 
@@ -14,9 +14,7 @@ def profile_time(distance: float, speed: float, acceleration: float) -> float:
 
 
 @kernel
-def profile_at(
-    t: float, distance: float, speed: float, acceleration: float
-) -> tuple[float, float]:
+def profile_at(t: float, distance: float, speed: float, acceleration: float) -> tuple[float, float]:
     """Distance covered and speed after t seconds of the profile."""
     total = profile_time(distance, speed, acceleration)
     if t >= total:
@@ -39,5 +37,6 @@ def motor_line_time(distance: float, speed: float, acceleration: float) -> float
     The motor's line gives x'' = a0 (u - x'/v) with u = 1, then -1; speed is v, the no-load speed,
     acceleration is a0, at stall. T = 2 (v / a0) artanh sqrt(1 - exp(-d a0 / v2)).
     """
-    share = 1.0 - exp(-distance * acceleration / (speed * speed))
-    return 2.0 * speed / acceleration * atanh(sqrt(share))
+    x = distance * acceleration / (speed * speed)
+    artanh = log1p(sqrt(-expm1(-x))) + 0.5 * x
+    return 2.0 * speed / acceleration * artanh

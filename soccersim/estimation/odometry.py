@@ -77,9 +77,7 @@ def reckon(
 
 
 @kernel
-def advance(
-    pose: Array, robot: int, dx: float, dy: float, turn: float, midpoint: bool
-) -> None:
+def advance(pose: Array, robot: int, dx: float, dy: float, turn: float, midpoint: bool) -> None:
     """Add a displacement, given in the body frame, to a pose in the field frame."""
     if midpoint:
         mx, my = rotate(dx, dy, pose[robot, 2] + 0.5 * turn)

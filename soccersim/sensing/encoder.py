@@ -13,6 +13,7 @@ from soccersim.state import Array, Readings, Truth, Whole
 from soccersim.streams import stream
 
 TURN = 2.0 * pi
+FAINT = 1e-18  # of the likeliest outcome: outcomes less likely are left out
 
 
 class Encoders(NamedTuple):
@@ -98,16 +99,28 @@ def _counted(encoders: Encoders, robot: int, wheel: int, passed: float, draw: fl
 
 @kernel
 def binomial(trials: float, chance: float, draw: float) -> int:
-    """How many of the trials happen, from one uniform draw: the inverse of the distribution."""
+    """How many of the trials happen, from one uniform draw: the inverse of the distribution.
+
+    Probabilities stand here as multiples of the likeliest one's: nothing underflows.
+    """
     if chance >= 1.0:
         return int(trials)
-    probability = 1.0
-    for _ in range(int(trials)):
-        probability *= 1.0 - chance
-    below = probability
-    hits = 0
-    while draw >= below and hits < trials:
-        probability *= (trials - hits) / (hits + 1.0) * chance / (1.0 - chance)
-        hits += 1
-        below += probability
-    return hits
+    odds = chance / (1.0 - chance)
+    likeliest = min(floor((trials + 1.0) * chance), trials)
+    total = weight = 1.0
+    hits = float(likeliest)
+    while hits < trials and weight > FAINT:
+        weight *= (trials - hits) / (hits + 1.0) * odds
+        hits += 1.0
+        total += weight
+    weight, hits = 1.0, float(likeliest)
+    while hits > 0.0 and weight > FAINT:
+        weight *= hits / ((trials - hits + 1.0) * odds)
+        hits -= 1.0
+        total += weight
+    below = weight
+    while below <= draw * total and hits < trials:
+        weight *= (trials - hits) / (hits + 1.0) * odds
+        hits += 1.0
+        below += weight
+    return int(hits)

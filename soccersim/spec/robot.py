@@ -236,7 +236,7 @@ class Control(Spec):
     limits: Limits = Limits()
     profile: Literal["none", "trapezoid"] = "none"
     """trapezoid: the set-point itself moves within the limits, bang-bang with a cruise."""
-    wheel: Pid = Pid(kp=2.0, ki=20.0)
+    wheel: Pid = Pid(kp=8.0, ki=15.0)
     """Wheel speed, rad/s to PWM, on top of the inverse PWM table; kd is not used."""
     wheel_loop: Literal["pi", "table"] = "pi"
     """table: the inverse PWM table alone, for wheels without encoders."""
