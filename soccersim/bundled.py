@@ -45,6 +45,6 @@ def find(kind: str, source: str, beside: Path | None = None) -> Path:
         return path
     near = get_close_matches(source, names(kind), n=1)
     hint = f"did you mean `{near[0]}`?" if near else f"there are {', '.join(names(kind))}"
-    if Path(source + suffix).is_file():
+    if source and ((beside or Path()) / f"{source}{suffix}").is_file():
         hint = f"for the file here write `./{source}{suffix}`"
     raise InputError(Problem(f"no {kind} `{fspath(source)[:80]}` is bundled: {hint}"))

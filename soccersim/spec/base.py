@@ -23,9 +23,10 @@ class Spec(BaseModel):
     )
 
 
-Positive = Annotated[float, Field(gt=0, lt=1e9)]
-NonNegative = Annotated[float, Field(ge=0, lt=1e9)]
-Number = Annotated[float, Field(gt=-1e9, lt=1e9)]
+# far beyond any robot, and near enough to 1 that no product of a few overflows or vanishes
+Positive = Annotated[float, Field(ge=1e-9, le=1e6)]
+NonNegative = Annotated[float, Field(ge=0, le=1e6)]
+Number = Annotated[float, Field(ge=-1e6, le=1e6)]
 Share = Annotated[float, Field(ge=0, le=1)]
 Rate = Annotated[int, Field(gt=0, le=10_000)]
 # a YAML list is a list: strict tuples would refuse it, so these alone are not strict

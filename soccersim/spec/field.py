@@ -8,7 +8,8 @@ from pydantic import model_validator
 from soccersim.spec.base import NonNegative, Positive, Share, Spec
 from soccersim.spec.validate import Fault
 
-Length = Annotated[float, Key(gt=0, le=200)]
+Length = Annotated[float, Key(ge=0.001, le=200)]
+NET_RADIUS = 0.02  # m, half the thickness of the net
 
 
 class Area(Spec):
@@ -72,13 +73,23 @@ class Field(Spec):
     @model_validator(mode="after")
     def _goals_fit(self) -> "Field":
         if self.goal.width + 4 * self.goal.post_radius > self.width:
-            raise Fault("is wider than the field", at=("goal", "width"))
+            raise Fault("with its posts is wider than the field", at=("goal", "width"))
         if self.goal.depth + 2 * self.goal.post_radius > self.border:
-            raise Fault("must be less than the border, less a post", at=("goal", "depth"))
+            most = self.border - 2 * self.goal.post_radius
+            wrong = f"reaches into the board: at most {most:.3g} m, the border less a post"
+            raise Fault(wrong, at=("goal", "depth"))
         for name in ("penalty_area", "goal_area"):
             area = getattr(self, name)
             if area and (area.width > self.width or 2 * area.depth > self.length):
                 raise Fault("is larger than the field", at=(name,))
+        for name, most, what in (
+            ("penalty_mark", self.length / 2, "half the length"),
+            ("centre_circle", self.width / 2, "half the width"),
+            ("corner_arc", self.width / 2, "half the width"),
+            ("line_width", self.width / 2, "half the width"),
+        ):
+            if (getattr(self, name) or 0.0) > most:
+                raise Fault(f"must not exceed {what} of the field: {most:g} m", at=(name,))
         return self
 
     @property

@@ -2,18 +2,24 @@
 
 from functools import cached_property
 from itertools import pairwise
+from math import pi
 from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
 from soccersim.kinematics import OmniBase
-from soccersim.spec.base import NonNegative, Number, Positive, Rate, Share, Spec, per_item
+from soccersim.spec.base import NonNegative, Number, Positive, Share, Spec, per_item
+from soccersim.spec.control import Control
 from soccersim.spec.sensors import Encoder, Gyro
 from soccersim.spec.validate import Fault
 
 MAX_WHEELS = 8
+FASTEST = 30.0  # m/s of a rim: what moves farther in a tick may pass through what it meets
+GRAVITY = 9.81  # m/s2
 Angles = Annotated[tuple[Number, ...], Field(strict=False, min_length=3, max_length=MAX_WHEELS)]
-Lengths = Annotated[tuple[Positive, ...], Field(strict=False, max_length=MAX_WHEELS)]
+Size = Annotated[float, Field(ge=0.001, le=5)]  # m, of a wheel or a robot
+Lengths = Annotated[tuple[Size, ...], Field(strict=False, max_length=MAX_WHEELS)]
+Scatter = Annotated[float, Field(ge=0, le=0.1)]  # more, and one wheel of many has no size left
 Row = Annotated[tuple[NonNegative, ...], Field(strict=False, min_length=2, max_length=256)]
 
 
@@ -46,13 +52,13 @@ class Build(Spec):
     The robot's own code knows the drawn values only: this is where odometry goes wrong.
     """
 
-    radius_bias: Annotated[float, Field(gt=-0.5, lt=0.5)] = 0.0
+    radius_bias: Annotated[float, Field(ge=-0.3, le=0.3)] = 0.0
     """Common error of the radius; -0.03: the wheels roll 3 % smaller than drawn."""
-    radius_sd: Share = 0.0
+    radius_sd: Scatter = 0.0
     """Standard deviation of the radius from wheel to wheel."""
-    distance_sd: Share = 0.0
+    distance_sd: Scatter = 0.0
     """Standard deviation of the distance from the centre."""
-    motor_sd: Share = 0.0
+    motor_sd: Scatter = 0.0
     """Standard deviation of the motors' speed (driven wheels only)."""
 
 
@@ -62,20 +68,22 @@ class PwmTable(Spec):
     pwm: Row
     """Levels, rising from 0 to 255."""
     rpm: Annotated[tuple[Row, ...], Field(strict=False, min_length=1, max_length=MAX_WHEELS)]
-    """Speeds at these levels: one row for all wheels or one row a wheel."""
+    """Speeds at these levels, from 0 up: one row for all wheels or one row a wheel.
+
+    A dead zone is a few zeros.
+    """
 
     @model_validator(mode="after")
     def _rises(self) -> "PwmTable":
         if self.pwm[0] != 0 or self.pwm[-1] != 255:
             raise Fault("must run from 0 to 255", at=("pwm",))
-        for name, row in [(("pwm",), self.pwm)] + [
-            (("rpm", i), row) for i, row in enumerate(self.rpm)
-        ]:
-            if any(b <= a for a, b in pairwise(row)):
-                raise Fault("must rise from one entry to the next", at=name)
+        if any(b <= a for a, b in pairwise(self.pwm)):
+            raise Fault("must rise from one entry to the next", at=("pwm",))
         for i, row in enumerate(self.rpm):
             if len(row) != len(self.pwm):
                 raise Fault(f"needs {len(self.pwm)} entries, one per PWM level", at=("rpm", i))
+            if row[0] != 0 or row[-1] == 0 or any(b < a for a, b in pairwise(row)):
+                raise Fault("must start with 0 and nowhere fall, but rise at last", at=("rpm", i))
         return self
 
 
@@ -102,6 +110,12 @@ class Motor(Spec):
     """null: the speed is proportional to the PWM."""
 
     @property
+    def top_speed_rpm(self) -> float:
+        """The fastest that any wheel turns by itself."""
+        rows = self.pwm_table.rpm if self.pwm_table else ()
+        return max(self.no_load_speed_rpm, *(row[-1] for row in rows), 0.0)
+
+    @property
     def inertia(self) -> float:
         """Wheel and reflected rotor, kg m2."""
         return self.wheel_inertia + self.gear_ratio**2 * self.rotor_inertia
@@ -112,9 +126,9 @@ class Wheels(Spec):
 
     azimuth_deg: Angles
     """Where each wheel stands, counter-clockwise from straight ahead."""
-    distance: Positive | Lengths
+    distance: Size | Lengths
     """From the robot's centre to the wheel's contact point, m: one, or one a wheel."""
-    radius: Positive
+    radius: Size
     """m."""
     direction_deg: Angles | None = None
     """Where each wheel drives to when it turns forward; null: azimuth + 90 (tangential)."""
@@ -158,7 +172,11 @@ class DriveWheels(Wheels):
     motor: Motor = Motor()
 
     @model_validator(mode="after")
-    def _one_table_a_wheel(self) -> "DriveWheels":
+    def _motor_suits_the_wheels(self) -> "DriveWheels":
+        rim = self.motor.top_speed_rpm * 2 * pi / 60 * self.radius
+        if rim > FASTEST:
+            wrong = f"turns the rim at {rim:.0f} m/s: at most {FASTEST:.0f}"
+            raise Fault(wrong, at=("motor", "no_load_speed_rpm"))
         table = self.motor.pwm_table
         if table and len(table.rpm) not in (1, len(self.azimuth_deg)):
             raise Fault(
@@ -190,79 +208,18 @@ class Odometry(Spec):
     """A step as an arc of constant twist, or straight along the mean heading."""
 
 
-class Pid(Spec):
-    """Gains of one axis; the derivative acts on the measurement, not on the set-point."""
-
-    kp: NonNegative = 0.0
-    ki: NonNegative = 0.0
-    kd: NonNegative = 0.0
-
-
-class Arrival(Spec):
-    """When a target counts as reached, by the robot's own estimate."""
-
-    distance: Positive = 0.02
-    """m."""
-    angle_deg: Positive = 2.0
-    dwell: NonNegative = 0.2
-    """Seconds it must stay within."""
-    timeout: Positive = 20.0
-    """Seconds after which a leg is given up."""
-
-
-class Limits(Spec):
-    """What the position controller may ask for."""
-
-    speed: Positive = 1.5
-    """m/s, along any direction."""
-    acceleration: Positive | None = None
-    """m/s2; null: the command may jump. A profile needs it."""
-    turn_rate: Positive = 3.0
-    """rad/s."""
-    turn_acceleration: Positive | None = None
-    """rad/s2; null as above."""
-
-
-class Control(Spec):
-    """Set-point to PWM, as in Utama's Fig. 5."""
-
-    rate_hz: Rate = 100
-    """Control and odometry steps a second."""
-    x: Pid = Pid(kp=1.5)
-    """Position along the field's x, m to m/s."""
-    y: Pid = Pid(kp=1.5)
-    heading: Pid = Pid(kp=3.0)
-    """rad to rad/s."""
-    limits: Limits = Limits()
-    profile: Literal["none", "trapezoid"] = "none"
-    """trapezoid: the set-point itself moves within the limits, bang-bang with a cruise."""
-    wheel: Pid = Pid(kp=8.0, ki=15.0)
-    """Wheel speed, rad/s to PWM, on top of the inverse PWM table; kd is not used."""
-    wheel_loop: Literal["pi", "table"] = "pi"
-    """table: the inverse PWM table alone, for wheels without encoders."""
-    arrival: Arrival = Arrival()
-
-    @model_validator(mode="after")
-    def _profile_has_limits(self) -> "Control":
-        if self.profile == "trapezoid":
-            for key in ("acceleration", "turn_acceleration"):
-                if getattr(self.limits, key) is None:
-                    raise Fault("a trapezoid profile needs a number here", at=("limits", key))
-        return self
-
-
 class Robot(Spec):
     """One model of robot. x points to its front, y to its left."""
 
     about: str = ""
     """Where the figures come from."""
-    mass: Annotated[float, Field(gt=0, le=1000)] = 20.0
+    mass: Annotated[float, Field(ge=0.01, le=1000)] = 20.0
     """kg."""
     inertia: Positive | None = None
-    """kg m2 about the vertical; null: a uniform disc."""
-    radius: Annotated[float, Field(gt=0, le=5)] = 0.25
+    """kg m2 about the vertical, at most mass * radius^2 (a ring); null: a uniform disc."""
+    radius: Annotated[float, Field(ge=0.01, le=5)] = 0.25
     """m of the round body."""
-    mass_height: NonNegative = 0.15
+    mass_height: Annotated[float, Field(ge=0, le=5)] = 0.15
     """Height of the centre of mass, m (estimate)."""
     load_transfer: bool = True
     """Whether accelerating shifts load from wheel to wheel."""
@@ -280,6 +237,11 @@ class Robot(Spec):
         return self.inertia or 0.5 * self.mass * self.radius**2
 
     @property
+    def wheel_count(self) -> int:
+        """How many wheels stand on the floor."""
+        return len(self.drive.azimuth_deg) + (len(self.dead.azimuth_deg) if self.dead else 0)
+
+    @property
     def odometry_wheels(self) -> Wheels:
         """The wheels the odometry counts on."""
         wheels = self.drive if self.odometry.wheels == "drive" else self.dead
@@ -291,17 +253,37 @@ class Robot(Spec):
     def _senses_what_it_uses(self) -> "Robot":
         faults = []
         if self.odometry.wheels == "dead" and self.dead is None:
-            faults.append(Fault("there are no `dead` wheels", at=("odometry", "wheels")))
+            wrong = "there are no `dead` wheels: describe them, or write `drive`"
+            faults.append(Fault(wrong, at=("odometry", "wheels")))
         elif self.odometry_wheels.encoder is None:
             faults.append(
-                Fault("odometry needs an encoder here", at=(self.odometry.wheels, "encoder"))
+                Fault(
+                    f"odometry counts on {self.odometry.wheels}.encoder, and there is none: add it",
+                    at=("odometry", "wheels"),
+                )
             )
         if self.odometry.heading == "gyro" and self.gyro is None:
-            faults.append(Fault("there is no `gyro`", at=("odometry", "heading")))
+            wrong = "there is no gyro: add `gyro: {}`, or write `wheels`"
+            faults.append(Fault(wrong, at=("odometry", "heading")))
         if self.control.wheel_loop == "pi" and self.drive.encoder is None:
             faults.append(
-                Fault("`pi` needs drive.encoder; use `table` without", at=("control", "wheel_loop"))
+                Fault(
+                    "`pi` needs drive.encoder, and there is none: add it, or write `table`",
+                    at=("control", "wheel_loop"),
+                )
             )
         if faults:
             raise Fault.many(faults)
+        return self
+
+    @model_validator(mode="after")
+    def _can_be_built(self) -> "Robot":
+        ring = self.mass * self.radius**2
+        if self.inertia and self.inertia > ring:
+            wrong = f"is more than a ring of this mass and radius has: at most {ring:.3g}"
+            raise Fault(wrong, at=("inertia",))
+        if self.dead and len(self.dead.azimuth_deg) * self.dead.load >= self.mass * GRAVITY:
+            weight = self.mass * GRAVITY
+            wrong = f"lifts the robot off its driven wheels: it weighs {weight:.3g} N in all"
+            raise Fault(wrong, at=("dead", "load"))
         return self

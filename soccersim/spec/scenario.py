@@ -1,20 +1,22 @@
 """A scenario: everything one run needs, as its YAML file says it."""
 
 from functools import cached_property
-from itertools import combinations
 from math import hypot
 from typing import Annotated, Literal
 
 from pydantic import Field as Key
 from pydantic import model_validator
 
+from soccersim.spec import MAX_ROBOTS
 from soccersim.spec.base import Name, NonNegative, Number, Point, Pose, Positive, Rate, Spec
 from soccersim.spec.field import Field
 from soccersim.spec.frame import Coordinates, Frame, Units
-from soccersim.spec.robot import MAX_WHEELS, Robot
+from soccersim.spec.places import misplaced
+from soccersim.spec.robot import FASTEST, MAX_WHEELS, Robot
 from soccersim.spec.validate import Fault
 
-MAX_ROBOTS = 22
+MAX_RECORDING = 2**29  # bytes; while it is put together a run holds it twice
+Pwm = Annotated[int, Key(ge=-255, le=255)]
 Speeds = Annotated[tuple[Number, ...], Key(strict=False, min_length=3, max_length=MAX_WHEELS)]
 
 
@@ -47,7 +49,9 @@ class Phase(Spec):
     """A stretch of open-loop driving: one of the three, held for a while."""
 
     seconds: Positive
-    pwm: Annotated[tuple[int, ...], Key(strict=False, min_length=3)] | None = None
+    pwm: (
+        Annotated[tuple[Pwm, ...], Key(strict=False, min_length=3, max_length=MAX_WHEELS)] | None
+    ) = None
     """-255..255, one a driven wheel."""
     wheel_speeds: Speeds | None = None
     """rad/s, one a driven wheel."""
@@ -58,8 +62,6 @@ class Phase(Spec):
     def _one_of_three(self) -> "Phase":
         if sum(v is not None for v in (self.pwm, self.wheel_speeds, self.twist)) != 1:
             raise ValueError("needs exactly one of pwm, wheel_speeds, twist")
-        if self.pwm and any(abs(level) > 255 for level in self.pwm):
-            raise Fault("levels lie in -255..255", at=("pwm",))
         return self
 
 
@@ -106,11 +108,14 @@ class Player(Spec):
                 if getattr(self, key):
                     raise Fault("needs a `path`", at=(key,))
         wheels = len(self.model.drive.azimuth_deg)
-        for i, phase in enumerate(self.open_loop or ()):
-            for key in ("pwm", "wheel_speeds"):
-                value = getattr(phase, key)
-                if value is not None and len(value) != wheels:
-                    raise Fault(f"needs {wheels} entries, one a wheel", at=("open_loop", i, key))
+        faults = [
+            Fault(f"needs {wheels} entries, one a driven wheel", at=("open_loop", i, key))
+            for i, phase in enumerate(self.open_loop or ())
+            for key in ("pwm", "wheel_speeds")
+            if len(getattr(phase, key) or range(wheels)) != wheels
+        ]
+        if faults:
+            raise Fault.many(faults)
         return self
 
 
@@ -120,20 +125,22 @@ class Ball(Spec):
     at: Point = (0.0, 0.0)
     """Where it lies."""
     velocity: Point = (0.0, 0.0)
-    """Its speed at the start, in the scenario's length unit per second, without spin."""
-    mass: Annotated[float, Key(gt=0, le=100)] = 0.43
+    """Its velocity at the start, in the scenario's length unit per second, without spin."""
+    mass: Annotated[float, Key(ge=0.001, le=100)] = 0.43
     """kg (FIFA: .41-.45)."""
-    radius: Annotated[float, Key(gt=0, le=1)] = 0.11
+    radius: Annotated[float, Key(ge=0.01, le=1)] = 0.11
     """m."""
-    shell: Annotated[float, Key(gt=0, le=1)] = 2 / 3
+    shell: Annotated[float, Key(ge=0.01, le=1)] = 2 / 3
     """Moment of inertia over m r2: 2/3 hollow, 2/5 solid."""
 
 
 class Timing(Spec):
     """Rates; each divides the physics rate."""
 
-    physics_hz: Rate = 500
+    physics_hz: Annotated[int, Key(ge=100, le=10_000)] = 500
+    """Ticks a second; below 100 the floor's grip would not be told well."""
     record_hz: Rate = 50
+    """Records a second."""
     frames_hz: Rate = 25
     """Frames of film a second; divides the record rate."""
 
@@ -142,9 +149,8 @@ class Timing(Spec):
         if self.physics_hz % self.record_hz:
             raise Fault(_no_divisor(self.physics_hz), at=("record_hz",))
         if self.record_hz % self.frames_hz:
-            raise Fault(f"must divide record_hz = {self.record_hz}", at=("frames_hz",))
-        if self.physics_hz < 100:
-            raise Fault("must be at least 100: the floor's grip needs it", at=("physics_hz",))
+            wrong = f"must divide record_hz = {self.record_hz}: {_divisors(self.record_hz)}"
+            raise Fault(wrong, at=("frames_hz",))
         return self
 
 
@@ -197,7 +203,7 @@ class Scenario(Spec):
 
     @model_validator(mode="after")
     def _fits(self) -> "Scenario":
-        faults = [*self._rates(), *self._names(), *self._places()]
+        faults = [*self._rates(), *self._names(), *self._speeds(), *self._size(), *misplaced(self)]
         if faults:
             raise Fault.many(faults)
         return self
@@ -227,49 +233,26 @@ class Scenario(Spec):
             if names.index(name) < i
         ]
 
-    def _places(self) -> list[Fault]:
-        """Nobody off the floor, nobody inside another, no ball in a wall."""
-        at = self.coordinates
-        bodies: list[tuple[tuple[str | int, ...], str, float, float, float]] = [
-            (
-                ("robots", i, "start"),
-                robot.name,
-                *at.field_pose(robot.start)[:2],
-                robot.model.radius,
-            )
-            for i, robot in enumerate(self.robots)
-        ]
-        if self.ball:
-            x, y, _ = at.field_pose((*self.ball.at, 0.0))
-            bodies.append((("ball", "at"), "ball", x, y, self.ball.radius))
-        faults = [
-            Fault(
-                f"{name} is off the floor: at ({x:.2f}, {y:.2f}) m on the field, "
-                f"inside is |x| < {self._room(r)[0]:.2f}, |y| < {self._room(r)[1]:.2f}",
-                at=place,
-            )
-            for place, name, x, y, r in bodies
-            if abs(x) > self._room(r)[0] or abs(y) > self._room(r)[1]
-        ]
-        goal_line, post = self.field.half_length, self.field.goal.post_centre
-        posts = [(sx * goal_line, sy * post) for sx in (-1, 1) for sy in (-1, 1)]
-        for place, name, x, y, r in bodies:
-            if any(hypot(x - px, y - py) < r + self.field.goal.post_radius for px, py in posts):
-                faults.append(Fault(f"{name} stands in a goal post", at=place))
-        for (_, first, x1, y1, r1), (place, name, x2, y2, r2) in combinations(bodies, 2):
-            if hypot(x1 - x2, y1 - y2) < r1 + r2:
-                faults.append(
-                    Fault(
-                        f"{name} and {first} are in one place: "
-                        f"keep {r1 + r2:.2f} m between their centres",
-                        at=place,
-                    )
-                )
-        return faults
+    def _speeds(self) -> list[Fault]:
+        """No ball so fast that it passes through a net."""
+        if self.ball is None:
+            return []
+        speed = hypot(*self.coordinates.field_vector(*self.ball.velocity))
+        wrong = f"the ball moves at {speed:.4g} m/s: at most {FASTEST:.0f}"
+        return [Fault(wrong, at=("ball", "velocity"))] if speed > FASTEST else []
 
-    def _room(self, radius: float) -> tuple[float, float]:
-        """How far from the centre spot a body of this radius may be."""
-        return (
-            self.field.half_length + self.field.border - radius,
-            self.field.half_width + self.field.border - radius,
+    def _size(self) -> list[Fault]:
+        """No recording that the memory cannot hold."""
+        robots = len(self.robots)
+        wheels = max(robot.model.wheel_count for robot in self.robots)
+        numbers = 6 * (robots + 1) + robots * (7 + 4 * ("wheels" in self.record) * wheels)
+        numbers += robots * (1 + wheels) * ("sensors" in self.record)
+        numbers += robots * (3 + 2 * wheels) * ("control" in self.record)
+        size = 8 * numbers * self.duration * self.timing.record_hz
+        if size <= MAX_RECORDING:
+            return []
+        wrong = (
+            f"makes a recording of {size / 2**30:.2g} GiB: at most {MAX_RECORDING / 2**30:.2g}; "
+            "shorten it, lower timing.record_hz, or take words out of `record`"
         )
+        return [Fault(wrong, at=("duration",))]

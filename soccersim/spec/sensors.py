@@ -16,7 +16,7 @@ class Encoder(Spec):
     """Edges counted per pulse: x1, x2 or x4."""
     rate_hz: Rate = 100
     """How often the counter is read."""
-    window: Positive = 0.1
+    window: Annotated[float, Field(ge=0.001, le=1)] = 0.1
     """Seconds over which pulses are counted to tell the wheel's speed (Idris: 0.1)."""
     missed: Share = 0.0
     """Chance that an edge is not counted."""

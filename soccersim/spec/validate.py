@@ -46,7 +46,8 @@ def validate(model: type[M], tree: Tree, context: Any = None) -> M:
         # as JSON, where strict mode takes a list for a tuple and a text for an enum
         return model.model_validate_json(json.dumps(tree.value), strict=True, context=context)
     except ValidationError as error:
-        problems = told(model, tree, error.errors(include_url=False))
+        wrong = [each for each in error.errors(include_url=False) if not is_hollow(each)]
+        problems = told(model, tree, wrong)
     except (RecursionError, ArithmeticError) as error:  # from a validator that met odd values
         message = f"these values cannot be worked with ({one_line(str(error))})"
         raise InputError(Problem(message, tree.place(()).file)) from error
@@ -129,6 +130,16 @@ def placed(way: Way, error: ErrorDetails, tree: Tree) -> Iterator[Finding]:
 def holder(error: ErrorDetails) -> tuple[str | int, ...]:
     """The location of the value with the fault; of the mapping, for a missing or unknown key."""
     return error["loc"][:-1] if is_about_key(error) else error["loc"]
+
+
+def is_hollow(error: ErrorDetails) -> bool:
+    """Whether a list only counts as short because pydantic left its wrong entries out."""
+    given = error["input"]
+    return (
+        error["type"] == "too_short"
+        and isinstance(given, list)
+        and len(given) >= error["ctx"]["min_length"]
+    )
 
 
 def is_about_key(error: ErrorDetails) -> bool:
