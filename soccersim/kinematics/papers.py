@@ -1,11 +1,12 @@
-"""The papers' bases as instances of the one model, and their matrices as printed.
+"""The papers' bases as instances of the one model, and their matrices and formulae as printed.
 
-The instances are right; the functions are not: each keeps a matrix as its paper prints it, faults
-and all, so that tests and reproductions can show what the fault does. Where a paper gives no
+The instances are right; the functions are not: each keeps what its paper prints, faults and all,
+so that tests and reproductions can show what the fault does. Where a paper gives no
 sizes, the instance has those of Utama's robot. SI and radians; theta and psi are headings.
 """
 
-from math import atan2, cos, degrees, hypot, pi, sin, sqrt
+from collections.abc import Sequence
+from math import acos, atan2, cos, degrees, hypot, pi, sin, sqrt
 
 import numpy as np
 
@@ -126,3 +127,23 @@ def garcia_eq30(radius: float) -> Array:
     """Garcia-Sillas (30), inverse: column 3 must be -L/R, not -1/R."""
     x = sqrt(3) / 2
     return np.array([[0, 1, -1], [x, -0.5, -1], [-x, -0.5, -1]]) / radius
+
+
+def dasmahapatra_inverse(
+    lengths: Sequence[float], pose: Sequence[float]
+) -> tuple[float, float, float]:
+    """Dasmahapatra (2.10b), (2.13c), (2.14): the arm's angles, right for some poses only.
+
+    An arc cosine ends in [0, pi]: theta2 is the one elbow alone, and theta1 loses its sign.
+    `lengths` are l1, l2, l3 and `pose` is (X, Y, phi) of the tip, phi in radians.
+
+    Raises:
+        ValueError: an arc cosine of more than 1: the pose is out of reach, or on its edge but
+            for rounding.
+    """
+    (l1, l2, l3), (x, y, phi) = lengths, pose
+    m, n = x - l3 * cos(phi), y - l3 * sin(phi)  # (2.7)
+    theta2 = acos((m**2 + n**2 - l1**2 - l2**2) / (2 * l1 * l2))
+    c2, s2 = cos(theta2), sin(theta2)
+    theta1 = acos((m * (l1 + l2 * c2) + n * l2 * s2) / ((l1 + l2 * c2) ** 2 + (l2 * s2) ** 2))
+    return theta1, theta2, phi - theta1 - theta2

@@ -1,0 +1,1 @@
+"""Reproduction: every table of the papers beside ours, and where a paper itself is wrong."""
