@@ -72,11 +72,11 @@ def cache_folder() -> Path | None:
 
 
 def will_compile() -> bool:
-    """Whether the next simulation has to compile first: nothing is kept on disk yet."""
+    """Whether the next simulation has to compile first: the loop, compiled last, is not kept yet."""
     if not COMPILED:
         return False
     folder = cache_folder()
-    return folder is None or not any(folder.rglob("*.nbi"))
+    return folder is None or not any(folder.rglob("*.run_ticks-*.nbi"))
 
 
 def _user_cache() -> Path:

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import Any
 
 
 @dataclass(frozen=True)
@@ -28,6 +29,9 @@ class InputError(Exception):
         self.problems = (problems,) if isinstance(problems, Problem) else tuple(problems)
         super().__init__("\n".join(map(str, self.problems)))
 
+    def __reduce__(self) -> tuple[Any, ...]:  # comes whole out of another process
+        return type(self), (self.problems,)
+
 
 class MachineError(Exception):
     """The machine failed us (exit code 3): a full disk, a folder that cannot be written."""
@@ -35,3 +39,7 @@ class MachineError(Exception):
 
 class RunError(Exception):
     """A run that is not valid (exit code 4): the state stopped being a number, say."""
+
+
+class Stopped(Exception):
+    """Ctrl-C (exit code 130): what was kept, and how to go on."""

@@ -58,12 +58,13 @@ def robots(recording: Recording) -> list[dict[str, Any]]:
 
 def _leg(scenario: Scenario, robot: int, k: int, leg: Leg) -> Leg:
     at = scenario.coordinates
-    poses = {
-        key: list(at.from_field(leg[key])) if leg[key] else None
-        for key in ("target", "odometry", "truth")
-    }
     path = scenario.robots[robot].path
     paper = path[k].paper if path else None
+    poses = {
+        "target": list(at.framed(path[k].to)) if path else None,
+        "odometry": list(at.from_field(leg["odometry"])),
+        "truth": list(at.from_field(leg["truth"])),
+    }
     return {
         **poses,
         **errors(poses),

@@ -12,7 +12,15 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from soccersim import __version__
-from soccersim.control.plan import Plan, Progress, build_plan, finished, follow, new_progress
+from soccersim.control.plan import (
+    TARGET,
+    Plan,
+    Progress,
+    build_plan,
+    finished,
+    follow,
+    new_progress,
+)
 from soccersim.control.position import PositionLoop, build_position_loop, seek
 from soccersim.control.wheels import WheelLoop, build_wheel_loop, turn_wheels
 from soccersim.estimation.odometry import Odometry, build_odometry, reckon
@@ -42,6 +50,8 @@ from soccersim.state import (
     new_readings,
     new_truth,
 )
+
+PIECE = 10_000  # ticks at most without Python: Ctrl-C is heard within half a second
 
 
 class Machine(NamedTuple):
@@ -83,7 +93,8 @@ def run_ticks(m: Machine, tick: int, end: int, dt: float) -> int:
             follow(m.plan, m.progress, m.estimate, m.command, tick, dt)
             seek(m.position, m.plan, m.progress, m.estimate, m.command, tick, dt)
             turn_wheels(m.wheels, m.position, m.plan, m.progress, m.readings, m.command, tick, dt)
-            record_legs(m.log, m.progress, m.truth, m.estimate, tick)
+            p = m.progress
+            record_legs(m.log, p.ended, p.ended_leg, p.ended_reached, m.truth, m.estimate, tick)
         record(m.log, m.truth, m.readings, m.estimate, m.command, m.progress.leg, tick)
         if tick % m.control_every == 0 and finished(m.plan, m.progress):
             return tick
@@ -150,7 +161,7 @@ class Simulation:
             control_every=_often(plan.every),
         )
         self._pieces: dict[str, list[np.ndarray[Any, Any]]] = {
-            key: [] for keys in GROUPS.values() for key in keys
+            key: [] for group in ("poses", *scenario.record) for key in GROUPS[group]
         }
         self._digest = Digest()
 
@@ -172,7 +183,7 @@ class Simulation:
         while self.tick < goal and not self.done and pieces != 0:
             every = self.machine.log.every
             room = (-(-self.tick // every) + RECORDS) * every
-            piece = self.noise.prepare(self.tick, min(goal, room))
+            piece = self.noise.prepare(self.tick, min(goal, room, self.tick + PIECE))
             reached = run_ticks(self.machine, self.tick, piece, self.scenario.dt)
             self._check(reached)
             self.done = reached < piece or reached == self.end
@@ -200,9 +211,13 @@ class Simulation:
 
     def _check(self, reached: int) -> None:
         """Nothing may go on from a state that is not made of numbers."""
-        state = (self.machine.truth.body, self.machine.estimate.pose)
-        if reached < 0 or not all(np.isfinite(array).all() for array in state):
-            where = -1 - reached if reached < 0 else reached
+        m = self.machine
+        if reached < 0 or not all(np.isfinite(a).all() for a in (m.truth.body, m.estimate.pose)):
+            records = slice(int(m.log.filled[0]))
+            finite = np.isfinite(m.log.body[records]).all(axis=(1, 2))
+            finite &= np.isfinite(m.log.estimate[records]).all(axis=(1, 2))
+            wrong = [*m.log.tick[records][~finite], -1 - reached if reached < 0 else reached]
+            where = int(wrong[0])
             raise RunError(
                 f"{self.scenario.name}: the state stopped being a number at tick {where} "
                 f"({where * self.scenario.dt:.3f} s)"
@@ -215,28 +230,35 @@ class Simulation:
         log.filled[0] = 0
         for key, parts in self._pieces.items():
             parts.append(getattr(log, key)[:count].copy())
-        chained = ("body", "wheel_angle", "wheel_speed", "estimate")
-        self._digest.add([self._pieces[key][-1] for key in chained])
+        chained = (log.body, log.wheel_angle, log.wheel_speed, log.estimate)
+        self._digest.add([array[:count] for array in chained])
 
     def _legs(self, robot: int) -> list[dict[str, Any]]:
-        """The legs that ended, in the field frame."""
-        log, plan = self.machine.log, self.machine.plan
-        legs = []
-        for k in range(int(plan.legs[robot])):
-            start, end = map(int, log.leg_ticks[robot, k])
+        """The legs that ended, and the one that the end of the run cut short; field frame."""
+        m, legs = self.machine, []
+        for k in range(int(m.plan.legs[robot])):
+            start, end = map(int, m.log.leg_ticks[robot, k])
+            reached = bool(m.log.leg_reached[robot, k])
+            odometry, truth = m.log.leg_estimate[robot, k], m.log.leg_truth[robot, k]
+            aimed = m.plan.kind[robot, k] == TARGET
             if end < 0:
-                break
-            target = plan.value[robot, k, :3].tolist() if plan.kind[robot, k] == 0 else None
+                if not self.done or start == self.tick:
+                    break
+                end = self.tick
+                reached = not aimed and end - start >= m.plan.ticks[robot, k]
+                odometry, truth = m.estimate.pose[robot], m.truth.body[robot, :3]
             legs.append(
                 {
-                    "target": target,
+                    "target": m.plan.value[robot, k, :3].tolist() if aimed else None,
                     "start_tick": start,
                     "end_tick": end,
-                    "reached": bool(log.leg_reached[robot, k]),
-                    "odometry": log.leg_estimate[robot, k].tolist(),
-                    "truth": log.leg_truth[robot, k].tolist(),
+                    "reached": bool(reached),
+                    "odometry": odometry.tolist(),
+                    "truth": truth.tolist(),
                 }
             )
+            if end == self.tick:
+                break
         return legs
 
 

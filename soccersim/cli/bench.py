@@ -28,15 +28,13 @@ def command(seconds: float, as_json: bool) -> None:
     if as_json:
         click.echo(json.dumps(result))
         return
-    from rich.console import Console
-
-    from soccersim.cli.tables import new_table
+    from soccersim.cli.tables import Screen, new_table
 
     table = new_table("kickabout on this machine, one core", "")
     table.add_column("", justify="right")
     for key, (title, unit) in ROWS.items():
         table.add_row(title, f"{result[key]:.4g} {unit}".strip())
-    Console().print(table)
+    Screen().print(table)
 
 
 ROWS = {

@@ -21,17 +21,19 @@ def command(as_json: bool) -> None:
     if as_json:
         click.echo(json.dumps(about, indent=2))
         return
-    from rich.console import Console
+    from rich.markup import escape
     from rich.table import Table
+
+    from soccersim.cli.tables import Screen
 
     for kind, entries in about.items():
         table = Table(title=f"{kind}s".replace("ys", "ies"), title_justify="left", box=None)
         table.add_column("name", style="bold cyan", no_wrap=True)
         table.add_column("about")
         for name, text in entries.items():
-            table.add_row(name, text)
+            table.add_row(escape(name), escape(text))
         if entries:
-            Console().print(table, "")
+            Screen().print(table, "")
 
 
 def first_line(kind: str, name: str) -> str:

@@ -7,7 +7,7 @@ from importlib import import_module
 import click
 
 from soccersim import __version__
-from soccersim.problems import InputError, MachineError, RunError
+from soccersim.problems import InputError, MachineError, RunError, Stopped
 
 VERBS = {  # verb: what it does; its command stands in cli/verb.py
     "list": "What comes with soccersim: scenarios, strategies, robots, fields.",
@@ -32,15 +32,32 @@ class Verbs(click.Group):
         command: click.Command = import_module(f"soccersim.cli.{cmd_name}").command
         return command
 
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """The verb that comes first; UsageError names the nearest one."""
+        if args and args[0] not in VERBS and not args[0].startswith("-"):
+            from difflib import get_close_matches
+
+            near = get_close_matches(args[0], VERBS, n=1)
+            hint = f"did you mean `{near[0]}`?" if near else f"there are {', '.join(VERBS)}"
+            raise click.UsageError(f"no command `{args[0][:60]}`: {hint}", ctx)
+        return super().resolve_command(ctx, args)
+
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """List the verbs without importing them."""
         with formatter.section("Commands"):
             formatter.write_dl(list(VERBS.items()))
 
 
-@click.group(cls=Verbs, context_settings={"help_option_names": ["-h", "--help"]})
+@click.group(
+    cls=Verbs,
+    invoke_without_command=True,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
 @click.version_option(__version__, prog_name="soccersim")
-def soccersim() -> None:
+@click.pass_context
+def soccersim(ctx: click.Context) -> None:
     """A 2D robot-soccer simulator that tells the truth about wheels and odometry.
 
     \b
@@ -50,37 +67,77 @@ def soccersim() -> None:
 
     With --debug anywhere, an error shows its traceback.
     """
+    if ctx.invoked_subcommand is None:
+        click.echo(ctx.get_help())
 
 
 def main() -> None:
     """Run the command line and exit: 0 done, 2 bad input, 3 the machine, 4 an invalid run."""
     arguments = sys.argv[1:]
     debug = "--debug" in arguments
+    open_streams()
+    unheard = listen()
     try:
         soccersim.main([a for a in arguments if a != "--debug"], "soccersim", standalone_mode=False)
-    except click.exceptions.Exit as stop:
-        sys.exit(stop.exit_code)
-    except click.ClickException as error:
-        error.show()
-        sys.exit(BAD_INPUT)
-    except (KeyboardInterrupt, click.Abort):
-        click.echo("stopped", err=True)
-        sys.exit(INTERRUPTED)
+        sys.stdout.flush()
     except BrokenPipeError:  # as `soccersim list | head` leaves it
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         sys.exit(0)
-    except Exception as error:
-        if debug:
+    except (Exception, KeyboardInterrupt) as error:
+        if debug and not isinstance(error, click.exceptions.Exit):
             raise
-        sys.exit(tell(error))
+        sys.exit(tell(KeyboardInterrupt() if unheard else error))
 
 
-def tell(error: Exception) -> int:
+def open_streams() -> None:
+    """Let prints work where an output is closed, or its letters lack some of our signs."""
+    for name in ("stdout", "stderr"):
+        stream = getattr(sys, name)
+        if stream is None:
+            setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: SIM115
+        elif hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="backslashreplace")
+
+
+def listen() -> list[KeyboardInterrupt]:
+    """Fills with each Ctrl-C that a callback from C swallows, as the compiler's do; others fail."""
+    unheard = []
+
+    def hook(lost: "sys.UnraisableHookArgs") -> None:
+        if isinstance(lost.exc_value, KeyboardInterrupt):
+            unheard.append(lost.exc_value)
+        else:
+            sys.__unraisablehook__(lost)
+
+    sys.unraisablehook = hook
+    return unheard
+
+
+def tell(error: BaseException) -> int:
     """Say what is wrong on standard error; returns the exit code."""
+    if isinstance(error, click.exceptions.Exit):
+        return error.exit_code
+    if isinstance(error, click.ClickException):
+        context = getattr(error, "ctx", None)
+        path = context.command_path if context else "soccersim"
+        click.echo(f"{path}: {error.format_message().rstrip('.')}; see {path} --help", err=True)
+        return BAD_INPUT
+    if isinstance(error, KeyboardInterrupt | click.Abort):
+        click.echo("stopped; nothing was kept: run it again", err=True)
+        return INTERRUPTED
+    if isinstance(error, MemoryError):
+        click.echo("the memory is full: a shorter run or fewer --jobs need less", err=True)
+        return MACHINE
+    if isinstance(error, OSError):
+        place, wrong = error.filename or "the output", error.strerror or error
+        click.echo(f"{place} cannot be used: {wrong}", err=True)
+        return MACHINE
     click.echo(str(error) or type(error).__name__, err=True)
+    if isinstance(error, Stopped):
+        return INTERRUPTED
     if isinstance(error, InputError):
         return BAD_INPUT
-    if isinstance(error, MachineError | MemoryError | OSError):
+    if isinstance(error, MachineError):
         return MACHINE
     if not isinstance(error, RunError):
         kind = type(error).__name__

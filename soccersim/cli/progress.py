@@ -1,14 +1,18 @@
 """A progress bar for what takes long; nothing for what does not."""
 
+import sys
 import time
 from types import TracebackType
-from typing import Self
+from typing import TYPE_CHECKING, Self
+
+if TYPE_CHECKING:
+    from rich.progress import Progress
 
 PATIENCE = 1.0  # s before a bar appears
 
 
 class Bar:
-    """Shows on standard error how far a task is, once it has taken a second.
+    """Shows on a terminal (standard error) how far a task is, once it has taken a second.
 
     >>> with Bar("simulating") as bar:
     ...     bar(0.5)
@@ -17,19 +21,15 @@ class Bar:
     def __init__(self, task: str) -> None:
         self._task = task
         self._start = time.monotonic()
-        self._bar: object = None
+        self._bar: Progress | None = None
 
     def __call__(self, share: float) -> None:
         """The share done, 0 to 1."""
-        from rich.console import Console
-        from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
-
-        if self._bar is None and time.monotonic() - self._start > PATIENCE:
-            columns = (TextColumn("{task.description}"), BarColumn(), TimeRemainingColumn())
-            self._bar = Progress(*columns, console=Console(stderr=True), transient=True)
+        if self._bar is None and time.monotonic() - self._start > PATIENCE and sys.stderr.isatty():
+            self._bar = _bar()
             self._bar.start()
             self._row = self._bar.add_task(self._task, total=1.0)
-        if isinstance(self._bar, Progress):
+        if self._bar:
             self._bar.update(self._row, completed=share)
 
     def count(self, done: int, total: int) -> None:
@@ -45,6 +45,13 @@ class Bar:
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
-        stop = getattr(self._bar, "stop", None)
-        if stop:
-            stop()
+        if self._bar:
+            self._bar.stop()
+
+
+def _bar() -> "Progress":
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
+
+    columns = (TextColumn("{task.description}", markup=False), BarColumn(), TimeRemainingColumn())
+    return Progress(*columns, console=Console(stderr=True), transient=True)

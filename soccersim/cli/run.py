@@ -1,10 +1,14 @@
 """`soccersim run`."""
 
 import json
+from contextlib import nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
+
+from soccersim.cli.results import Results
+from soccersim.problems import InputError, Problem, Stopped
 
 if TYPE_CHECKING:
     from soccersim.record import Recording
@@ -54,19 +58,34 @@ def command(
     if (frames or video) and out is None:
         raise click.UsageError("--frames and --video need a folder: --out DIR")
     spec = load_scenario(scenario, seed=seed, settings=settings)
-    if out:
-        prepare(out, force)
-    announce_compiling()
-    recording, document = simulate(spec, runs, jobs)
-    written = write(recording, document, out, frames, video, not no_plot) if out else []
+    check_seeds(spec.seed, runs)
+    with Results(out, FILES, force) if out else nullcontext() as results:
+        announce_compiling()
+        recording, document = simulate(spec, runs, jobs)
+        done = len(document.get("runs", [0]))
+        goes_on = done == runs  # else there was a Ctrl-C: no pictures
+        wanted = {
+            "report.json": True,
+            "recording.npz": True,
+            "trajectory.png": goes_on and not no_plot,
+            "frames": goes_on and frames,
+            "video.mp4": goes_on and video,
+        }
+        if results:
+            write(recording, document, results, wanted)
     if as_json:
-        click.echo(json.dumps(document))
+        click.echo(json.dumps(document, allow_nan=False))
     else:
         from soccersim.cli.tables import show
 
         show(spec, document)
-    for path in written:
+    for path in results.written if results else ():
         click.echo(f"wrote {path}", err=True)
+    if not goes_on:
+        raise Stopped(
+            f"stopped after {done} of {runs} seeds; the rest: "
+            f"--seed {spec.seed + done} --runs {runs - done}"
+        )
 
 
 def announce_compiling() -> None:
@@ -78,72 +97,82 @@ def announce_compiling() -> None:
 
 
 def simulate(spec: "Scenario", runs: int, jobs: int) -> tuple["Recording", dict[str, Any]]:
-    """The first run's recording, and the report of all."""
+    """The first run's recording, and the report of all that were finished before a Ctrl-C."""
     from soccersim.cli.progress import Bar
-    from soccersim.repeat import repeat
+    from soccersim.repeat import repeat, short
     from soccersim.report import bands, report
     from soccersim.simulation import Simulation
 
     with Bar(f"simulating {spec.name}") as bar:
-        recording = Simulation(spec).run(bar if runs == 1 else None)
+        simulation = Simulation(spec)
+        try:
+            recording = simulation.run(bar if runs == 1 else None)
+        except KeyboardInterrupt:
+            at = simulation.tick * spec.dt
+            raise Stopped(
+                f"stopped at {at:.1f} s of {spec.duration:g} s; nothing was kept: "
+                "run it again, or less of it with --set duration=SECONDS"
+            ) from None
         document = report(recording)
         if runs > 1:
-            document["runs"] = [_short(document), *repeat(spec, runs, jobs, bar)]
-            document["bands"] = bands([run["robots"] for run in document["runs"]])
+            each = document["runs"] = [short(recording)]
+            try:
+                for run in repeat(spec, range(spec.seed + 1, spec.seed + runs), jobs):
+                    each.append(run)
+                    bar.count(len(each), runs)
+            except KeyboardInterrupt:
+                pass  # the caller sees that some are missing
+            document["bands"] = bands([run["robots"] for run in each])
     return recording, document
 
 
-def _short(document: dict[str, Any]) -> dict[str, Any]:
-    return {key: document[key] for key in ("seed", "digest", "duration", "robots")}
+def write(
+    recording: "Recording", document: dict[str, Any], results: Results, wanted: dict[str, bool]
+) -> None:
+    """The run's files, each whole or not at all."""
+    try:
+        for name in filter(wanted.get, wanted):
+            with results.new(name) as path:
+                write_one(name, recording, document, path)
+        results.done()
+    except KeyboardInterrupt:
+        kept = ", ".join(map(str, results.written)) or "nothing"
+        raise Stopped(
+            f"stopped while writing {name}; kept: {kept}; the same command with --force starts anew"
+        ) from None
+
+
+def write_one(name: str, recording: "Recording", document: dict[str, Any], path: Path) -> None:
+    """One of the run's files."""
+    from soccersim.cli.progress import Bar
+
+    if name == "report.json":
+        text = json.dumps(document, indent=2, allow_nan=False)
+        path.write_text(text + "\n", encoding="utf-8")
+    elif name == "recording.npz":
+        recording.save(path)
+    elif name == "trajectory.png":
+        from soccersim.render.plots import save_trajectory
+
+        save_trajectory(recording, path)
+    elif name == "frames":
+        from soccersim.render.frames import save_frames
+
+        with Bar("drawing frames") as bar:
+            save_frames(recording, path, bar.count)
+    else:
+        from soccersim.render.video import save_video
+
+        with Bar("encoding video") as bar:
+            save_video(recording, path, bar.count)
+
+
+def check_seeds(first: int, runs: int) -> None:
+    """Seeds are numbers of 63 bits."""
+    if first + runs > 2**63:
+        raise InputError(Problem(f"--runs {runs} leads from seed {first} beyond 2^63 - 1"))
 
 
 def prepare(out: Path, force: bool, names: tuple[str, ...] = FILES) -> None:
     """Make the folder; refuse to overwrite an earlier run's files unless told to."""
-    from soccersim.problems import InputError, MachineError, Problem
-
-    there = [name for name in names if (out / name).exists()]
-    if there and not force:
-        wrong = f"holds {', '.join(there)} already: choose another folder, or add --force"
-        raise InputError(Problem(wrong, file=str(out)))
-    try:
-        out.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise MachineError(f"{out}: {error.strerror or error}") from error
-
-
-def write(
-    recording: "Recording",
-    document: dict[str, Any],
-    out: Path,
-    frames: bool,
-    video: bool,
-    plot: bool,
-) -> list[Path]:
-    """The run's files; returns their paths."""
-    from soccersim.cli.progress import Bar
-    from soccersim.problems import MachineError
-
-    paths = [out / "report.json", out / "recording.npz"]
-    try:
-        paths[0].write_text(json.dumps(document, indent=2) + "\n", encoding="utf-8")
-    except OSError as error:
-        raise MachineError(f"{paths[0]}: {error.strerror or error}") from error
-    recording.save(paths[1])
-    if plot:
-        from soccersim.render.plots import save_trajectory
-
-        paths.append(out / "trajectory.png")
-        save_trajectory(recording, paths[-1])
-    if frames:
-        from soccersim.render.frames import save_frames
-
-        paths.append(out / "frames")
-        with Bar("drawing frames") as bar:
-            save_frames(recording, paths[-1], bar.count)
-    if video:
-        from soccersim.render.video import save_video
-
-        paths.append(out / "video.mp4")
-        with Bar("encoding video") as bar:
-            save_video(recording, paths[-1], bar.count)
-    return paths
+    Results(out, names, force).__enter__()

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from rich.box import SIMPLE_HEAD
 from rich.console import Console
+from rich.markup import escape
 from rich.table import Table
 
 if TYPE_CHECKING:
@@ -21,12 +22,21 @@ ROWS = {  # what `--runs` shows of each leg: title, and the unit it is shown in
 }
 
 
+class Screen(Console):
+    """Standard output; a reader who leaves early, as `head` does, is told to main."""
+
+    def on_broken_pipe(self) -> None:
+        """Without this, rich ends the program with exit code 1."""
+        raise BrokenPipeError
+
+
 def show(spec: "Scenario", document: dict[str, Any]) -> None:
     """Print what was run, a table of its legs, and over several seeds a table of bands."""
-    console = Console()
+    console = Screen()
+    name, seed = escape(document["scenario"]), document["seed"]
     console.print(
-        f"[bold]{document['scenario']}[/] seed {document['seed']}: {document['duration']:.2f} s "
-        f"simulated, digest {document['digest'][:16]}"
+        f"[bold]{name}[/] seed {seed}: {document['duration']:.2f} s simulated, "
+        f"digest {document['digest'][:16]}"
     )
     if not any(robot["legs"] for robot in document["robots"]):
         console.print(f"{len(spec.robots)} robots, no leg has ended")
@@ -55,7 +65,7 @@ def legs_table(document: dict[str, Any]) -> Table:
         for name in ("paper\nx m", "\ny m", "heading\ndeg", "error\nm"):
             table.add_column(name, justify="right", no_wrap=True, style="magenta")
     for name, k, leg in legs:
-        table.add_row(f"{name} {k}", style="bold")
+        table.add_row(escape(f"{name} {k}"), style="bold")
         for row, pose, error in BLOCK:
             cells = [*_cells(leg, pose, error), *_cells(leg["paper"] or {}, pose, error, row)]
             table.add_row(f"  {row}", *cells[: 8 if papers else 4])
@@ -109,7 +119,7 @@ def bands_table(document: dict[str, Any]) -> Table:
         table.add_column(name, justify="right")
     for i, robot in enumerate(document["bands"]):
         for k, leg in enumerate(robot["legs"]):
-            table.add_row(f"{robot['name']} {k + 1}", style="bold")
+            table.add_row(escape(f"{robot['name']} {k + 1}"), style="bold")
             for key, (title, unit) in ROWS.items():
                 if key in leg:
                     paper = _paper_value(document, i, k, key)

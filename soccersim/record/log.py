@@ -4,7 +4,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from soccersim.control.plan import Progress
 from soccersim.kernel import kernel
 from soccersim.state import Array, Command, Estimate, Readings, Truth, Whole
 
@@ -103,16 +102,27 @@ def record(
 
 
 @kernel
-def record_legs(log: Log, progress: Progress, truth: Truth, estimate: Estimate, tick: int) -> None:
-    """Note how the legs that end at this tick ended, the first time they are driven."""
-    for robot in range(progress.ended.shape[0]):
-        leg = progress.ended_leg[robot]
-        if progress.ended[robot] == 0 or log.leg_ticks[robot, leg, 1] >= 0:
+def record_legs(
+    log: Log,
+    ended: Whole,
+    ended_leg: Whole,
+    reached: Whole,
+    truth: Truth,
+    estimate: Estimate,
+    tick: int,
+) -> None:
+    """Note how the legs that end at this tick ended, the first time they are driven.
+
+    ended, ended_leg, reached (R,): whether a leg of the robot ended, which one, and how.
+    """
+    for robot in range(ended.shape[0]):
+        leg = ended_leg[robot]
+        if ended[robot] == 0 or log.leg_ticks[robot, leg, 1] >= 0:
             continue
         log.leg_ticks[robot, leg, 1] = tick
         if leg + 1 < log.leg_ticks.shape[1]:
             log.leg_ticks[robot, leg + 1, 0] = tick
-        log.leg_reached[robot, leg] = progress.ended_reached[robot]
+        log.leg_reached[robot, leg] = reached[robot]
         for k in range(3):
             log.leg_truth[robot, leg, k] = truth.body[robot, k]
             log.leg_estimate[robot, leg, k] = estimate.pose[robot, k]

@@ -73,32 +73,40 @@ class Tree:
     def set(self, path: str, text: str, file: str = "--set") -> None:
         """Put a value, written in YAML, at a dotted path: `robots.0.model.mass`, `25`.
 
-        The last key may be new: validation says whether it is known. No text means null.
+        Keys may be new, also on the way: validation says whether they are known. No text is null.
         """
         mark = Mark(f"{file} {one_line(f'{path}={text}')}")
-        steps = self._steps(path, mark)
+        steps, missing = self._steps(path, mark)
         try:
             new = parse(text or "null", mark.file)
         except InputError as error:
             raise InputError(Problem(error.problems[0].message, mark.file)) from None
+        for name in reversed(missing):
+            outer = Tree({}, {(): mark})
+            outer.graft((name,), new)
+            new = outer
         new.marks = dict.fromkeys(new.marks, mark)
         new.keys = dict.fromkeys(new.keys, mark)
         self.graft(steps, new)
 
-    def _steps(self, path: str, mark: Mark) -> Path:
-        """The dotted path as steps from value to value, of which only the last may be new."""
+    def _steps(self, path: str, mark: Mark) -> tuple[Path, list[str]]:
+        """The dotted path as steps from value to value, and the keys that follow a new one."""
         steps: Path = ()
         value = self.value
-        *parents, last = path.split(".")
-        for name in (*parents, last):
-            new = bool(name) and len(steps) == len(parents)
-            if isinstance(value, dict) and (name in value or new):
-                steps, value = (*steps, name), value.get(name)
-            elif isinstance(value, list) and (index := index_of(name, value)) is not None:
+        names = path.split(".")
+        can_add = all(names) and len(names) <= MAX_DEPTH
+        for done, name in enumerate(names):
+            if isinstance(value, list) and (index := index_of(name, value)) is not None:
                 steps, value = (*steps, index), value[index]
+            elif isinstance(value, dict) and name in value:
+                steps, value = (*steps, name), value[name]
+            elif can_add and isinstance(value, dict):
+                return (*steps, name), names[done + 1 :]
+            elif can_add and steps and value is None:
+                return steps, names[done:]
             else:
                 raise InputError(Problem(no_step(value, name), mark.file, path=dotted(steps)))
-        return steps
+        return steps, []
 
 
 def index_of(name: str, values: list[Value]) -> int | None:

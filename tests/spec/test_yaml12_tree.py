@@ -64,16 +64,22 @@ def test_a_setting_changes_one_value_and_says_where_it_came_from(match):
     assert match.marks["robots", 1, "model", "name"] == whole
 
 
+def test_keys_on_the_way_that_are_not_there_are_made(match):
+    match.set("timing.record_hz", "25")
+    match.set("ball.at.0", "1")
+    match.set("robots.0.model.control.x.kp", "2")
+    assert match.value["timing"] == {"record_hz": 25}
+    assert match.value["ball"] == {"at": {"0": 1}}  # not a list: validation says so
+    assert match.value["robots"][0]["model"] == {"mass": 20, "control": {"x": {"kp": 2}}}
+    mark = Mark("--set robots.0.model.control.x.kp=2")
+    for size in (4, 5, 6):
+        path = ("robots", 0, "model", "control", "x", "kp")[:size]
+        assert match.marks[path] == match.keys[path] == mark
+
+
 @pytest.mark.parametrize(
     ("path", "text", "line"),
     [
-        (
-            "robot.0.name",
-            "x",
-            "--set robot.0.name=x: there is no key `robot`; did you mean `robots`?",
-        ),
-        ("zzz.name", "x", "there is no key `zzz`; known: `robots`, `notes`, `ball`"),
-        ("robots.0.modle.mass", "1", "robots.0: there is no key `modle`; did you mean `model`?"),
         ("robots.2.name", "x", "robots: there is no entry `2`: the list has the entries 0 to 1"),
         ("robots.-1.name", "x", "robots: there is no entry `-1`: the list has the entries 0 to 1"),
         ("robots.first", "x", "robots: there is no entry `first`: the list has the entries 0 to 1"),
@@ -81,7 +87,7 @@ def test_a_setting_changes_one_value_and_says_where_it_came_from(match):
         ("robots.²", "x", "there is no entry `²`"),
         ("notes.0", "x", "notes: there is no entry `0`: the list is empty"),
         ("robots.0.name.x", "1", 'robots.0.name: there is no `x` in the text "a"'),
-        ("ball.mass", "1", "ball: there is no `mass` in nothing (null)"),
+        ("deep" + ".er" * 32, "1", "there is no key `deep`; known: `robots`, `notes`, `ball`"),
         ("robots..name", "1", "robots: there is no entry ``"),
         ("", "1", "there is no key ``"),
         ("robots.0.name", "[1", "--set robots.0.name=[1: this bracket is never closed"),
