@@ -1,10 +1,10 @@
 """A run as it is kept: arrays over time, and a JSON document that says what they are."""
 
 import json
-import zipfile
 from dataclasses import dataclass
+from errno import ENOENT
 from functools import cached_property
-from os import PathLike
+from os import PathLike, fspath
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -87,9 +87,15 @@ class Recording:
     @cached_property
     def scenario(self) -> "Scenario":
         """The scenario that was run, everything in it expanded."""
+        from pydantic import ValidationError
+
         from soccersim.spec.scenario import Scenario
 
-        return Scenario.model_validate(self.meta["scenario"])
+        try:
+            return Scenario.model_validate(self.meta["scenario"])
+        except ValidationError as error:
+            made = f"a recording of soccersim {self.meta.get('soccersim')}"
+            raise InputError(Problem(f"{made}, whose scenario this one cannot read")) from error
 
     def save(self, path: str | PathLike[str]) -> None:
         """Write one .npz without pickles; MachineError where it cannot be written."""
@@ -106,15 +112,20 @@ class Recording:
     @classmethod
     def load(cls, path: str | PathLike[str]) -> "Recording":
         """Read what save wrote; InputError where it is not a recording or a newer one."""
-        name = str(Path(path))
+        name = fspath(path)
+        damaged = InputError(Problem("is not a soccersim recording, or damaged", file=name))
         try:
-            with np.load(path, allow_pickle=False) as file:
+            if not Path(path).is_file():  # np.load would wait for a pipe
+                raise FileNotFoundError(ENOENT, "is not a file")
+            with open(path, "rb") as data, np.load(data, allow_pickle=False) as file:
                 meta = json.loads(bytes(file["meta"]))
                 arrays = {key: file[key] for key in file.files if key != "meta"}
         except OSError as error:
-            raise InputError(Problem(error.strerror or str(error), file=name)) from error
-        except (ValueError, KeyError, zipfile.BadZipFile, EOFError) as error:
-            raise InputError(Problem("not a soccersim recording, or damaged", name)) from error
+            raise InputError(Problem(f"cannot be read: {error.strerror or error}", name)) from error
+        except Exception as error:  # numpy and zipfile raise a dozen kinds over wrong bytes
+            raise damaged from error
+        if not isinstance(meta, dict) or not set(GROUPS["poses"]) <= arrays.keys():
+            raise damaged
         if meta.get("format") != FORMAT:
             wrong = f"has format {meta.get('format')}; this soccersim reads format {FORMAT}"
             raise InputError(Problem(wrong, file=name))
