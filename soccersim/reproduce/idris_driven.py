@@ -25,6 +25,7 @@ from soccersim.reproduce.samples import (
     band_cells,
     held_against,
     inside,
+    rounded,
     times,
 )
 from soccersim.reproduce.section import Cell, Section, Summary
@@ -73,7 +74,7 @@ def driven(lab: Lab) -> Section:
         "table-7",
         "Table 7: sixteen moves",
         COLUMNS,
-        rows,
+        rounded(rows, 3),
         {i: "the text says 3-4 s" for i in range(len(clock)) if clock[i] > 4.0},
         _driven_summary(clock, legs, as_written),
         _driven_notes(clock, as_written, limits.speed, pace),

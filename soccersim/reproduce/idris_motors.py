@@ -9,7 +9,7 @@ from soccersim.reproduce.figures import GREY, PHYSICS, Figure, axes, canvas, dra
 from soccersim.reproduce.idris_bench import WHEELS, motor_speeds, wheels_off_the_floor
 from soccersim.reproduce.idris_paper import printed, relative
 from soccersim.reproduce.lab import Lab
-from soccersim.reproduce.samples import band_cells, held_against, inside
+from soccersim.reproduce.samples import band_cells, held_against, inside, rounded
 from soccersim.reproduce.section import Section, Summary
 from soccersim.reproduce.tables import PaperTable, table
 
@@ -60,7 +60,7 @@ def _motor(paper: PaperTable, number: int, speeds: Array, linear: Array) -> Sect
         f"table-{number}",
         f"Table {number}: speed of the {MOTORS[number]} motor",
         COLUMNS,
-        rows,
+        rounded(rows, 2),
         marks,
         _motor_summary(number, tacho, encoder, speeds),
         _motor_notes(tacho, encoder, speeds[:, 1], linear),

@@ -24,6 +24,7 @@ from soccersim.reproduce.samples import (
     held_against,
     inside,
     poses,
+    rounded,
 )
 from soccersim.reproduce.section import Cell, Section, Summary
 from soccersim.reproduce.tables import table
@@ -71,7 +72,7 @@ def _coordinate(
         f"table-6-{axis}",
         f"Table 6: pushed by hand, {axis}",
         columns,
-        rows,
+        rounded(rows, 2),
         {19: "printed 1.46t"} if axis == "theta" else {},
         _pushed_summary(k, axis, real, read, physics, fitted),
         (

@@ -25,7 +25,7 @@ from soccersim.reproduce.idris_bench import (
 )
 from soccersim.reproduce.idris_paper import RULE, printed, relative
 from soccersim.reproduce.lab import Lab
-from soccersim.reproduce.samples import band_cells, held_against, inside, poses
+from soccersim.reproduce.samples import band_cells, held_against, inside, poses, rounded
 from soccersim.reproduce.section import Section, Summary
 from soccersim.reproduce.tables import table
 
@@ -66,7 +66,7 @@ def gyro(lab: Lab) -> Section:
         "table-1",
         "Table 1: gyroscope turned along an arc",
         GYRO_COLUMNS,
-        rows,
+        rounded(rows, 2),
         marks,
         _gyro_summary(real, read, physics, fitted),
         (
@@ -145,7 +145,7 @@ def mileage(lab: Lab) -> Section:
             *(f"physics {wheel} (cm)" for wheel in WHEELS),
             *("physics median (cm)", "physics 5 %", "physics 95 %"),
         ),
-        rows,
+        rounded(rows, 2),
         {},
         _mileage_summary(real, measured, rolled),
         (

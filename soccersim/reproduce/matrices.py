@@ -33,8 +33,8 @@ def matrix_section(
         for i, (one, other) in enumerate(zip(paper, ours, strict=True)):
             if np.abs(one - other).max() > SAME:
                 marks[len(rows)] = reasons[i]
-            dets = [tidy(np.linalg.det(m)) if i == 0 else None for m in (paper, ours)]
-            rows.append([heading, i + 1, *map(tidy, one), *map(tidy, other), *dets])
+            dets = [significant(np.linalg.det(m)) if i == 0 else None for m in (paper, ours)]
+            rows.append([heading, i + 1, *map(significant, (*one, *other)), *dets])
     columns = ["heading (deg)", "row"]
     columns += [f"{whose} column {k + 1}" for whose in ("paper", "ours") for k in range(3)]
     columns += ["paper determinant", "our determinant"]
@@ -44,6 +44,11 @@ def matrix_section(
 def tidy(value: float) -> float:
     """The number, without what rounding leaves of a zero."""
     return 0.0 if abs(value) < 1e-12 else float(value)
+
+
+def significant(value: float) -> float:
+    """The number to four significant digits."""
+    return float(f"{tidy(value):.4g}")
 
 
 def rotation(theta: float) -> Array:

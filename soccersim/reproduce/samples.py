@@ -1,13 +1,13 @@
 """Numbers over many seeds: what a paper's single number is held against."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from soccersim.reproduce.section import Summary
+from soccersim.reproduce.section import Cell, Summary
 
 Array = NDArray[np.float64]
 
@@ -36,6 +36,13 @@ def band(samples: Array) -> tuple[Array, Array, Array]:
 def band_cells(samples: Array) -> list[float]:
     """Median, 5 % and 95 % of (S,) numbers, as cells."""
     return [float(value) for value in band(samples)]
+
+
+def rounded(rows: Iterable[Sequence[Cell]], decimals: int) -> list[list[Cell]]:
+    """Rows with every float cut to so many decimals: what is beyond them is chance."""
+    return [
+        [round(cell, decimals) if isinstance(cell, float) else cell for cell in row] for row in rows
+    ]
 
 
 def percentile(value: float, samples: Array) -> float:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from soccersim.reproduce.lab import Lab
-from soccersim.reproduce.samples import band_cells, distance, percentile, poses
+from soccersim.reproduce.samples import band_cells, distance, percentile, poses, rounded
 from soccersim.reproduce.section import Cell
 from soccersim.reproduce.tables import table
 from soccersim.spec.load import load_scenario
@@ -92,14 +92,17 @@ def row(
     point: str, what: str, paper: float | None, physics: Array, fitted: Array | None = None
 ) -> list[Cell]:
     """What COLUMNS name, of (S,) numbers."""
-    cells: list[Cell] = [point, what, paper, *band_cells(physics)]
+    cells: list[Cell] = [*band_cells(physics)]
     if paper is None:
         cells += [None, None]
     else:
         cells += [float(paper - np.median(physics)), percentile(paper, physics)]
     if fitted is None:
-        return [*cells, None, None, None, None]
-    return [*cells, *band_cells(fitted), None if paper is None else percentile(paper, fitted)]
+        cells += [None, None, None, None]
+    else:
+        cells += [*band_cells(fitted), None if paper is None else percentile(paper, fitted)]
+    digits = 2 if "(mm)" not in what else 1
+    return [point, what, paper, *rounded([cells], digits)[0]]
 
 
 def outside(rows: Sequence[Sequence[Cell]]) -> list[str]:

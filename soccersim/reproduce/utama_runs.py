@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from soccersim.reproduce.error_models import leg_errors, replay, slipped_ends
 from soccersim.reproduce.figures import Figure
 from soccersim.reproduce.lab import Lab
-from soccersim.reproduce.samples import band_cells, distance, held_against, percentile
+from soccersim.reproduce.samples import band_cells, distance, held_against, percentile, rounded
 from soccersim.reproduce.section import Cell, Section, Summary
 from soccersim.reproduce.utama_figures import figure_8
 from soccersim.reproduce.utama_points import (
@@ -160,7 +160,7 @@ def _legs(found: dict[str, Runs], figure: Callable[[], Figure], seeds: list[int]
         "figure-8",
         "Figure 8, and what slip did to each leg",
         LEG_COLUMNS,
-        rows,
+        rounded(rows, 4),
         {},
         _leg_summary(rows, np.hstack(scales), np.hstack(rotations)),
         (
