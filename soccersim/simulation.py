@@ -227,6 +227,8 @@ class Simulation:
         """Move the log's records to where the run is kept, and link them into the digest."""
         log = self.machine.log
         count = int(log.filled[0])
+        if count == 0:
+            return
         log.filled[0] = 0
         for key, parts in self._pieces.items():
             parts.append(getattr(log, key)[:count].copy())

@@ -148,7 +148,7 @@ def _ease(asked: float, error: float, braking: float) -> float:
     Near the target all of it; farther off, where slowing down in proportion to the error would
     take more than the braking there is, the speed that falls by `braking` all the way.
     """
-    if asked * asked <= braking * error:
+    if asked == 0.0 or asked * asked <= braking * error:
         return 1.0
     near = error * braking * error / (asked * asked)  # from here on in proportion
     return sqrt(braking * (2.0 * error - near)) / asked
