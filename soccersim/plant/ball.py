@@ -46,7 +46,7 @@ def roll_ball(ball: Rolling, truth: Truth, dt: float) -> None:
         keep = slower / speed if slower > REST_SPEED else 0.0
         vx, vy = vx * keep, vy * keep
         wx, wy = vx, vy
-    truth.wrench[row, 0] = ball.mass * (vx - truth.body[row, 3]) / dt
-    truth.wrench[row, 1] = ball.mass * (vy - truth.body[row, 4]) / dt
+    truth.wrench[row, 0] = ball.mass * ((vx - truth.body[row, 3]) / dt)
+    truth.wrench[row, 1] = ball.mass * ((vy - truth.body[row, 4]) / dt)
     truth.wrench[row, 2] = 0.0
     truth.ball_roll[0], truth.ball_roll[1] = wx, wy

@@ -8,12 +8,12 @@ import numpy as np
 from soccersim.kinematics import OmniBase
 from soccersim.plant.drive import Drive
 from soccersim.plant.traction import dry_friction
-from soccersim.streams import stream
 from soccersim.spec.base import per_item
 from soccersim.spec.field import Field
 from soccersim.spec.motor import PWM_MAX, RAD_S, table_speeds
 from soccersim.spec.robot import DeadWheels, DriveWheels, Motor, Robot, Wheels
 from soccersim.state import Array
+from soccersim.streams import stream
 
 GRAVITY = 9.81  # m/s2
 
@@ -58,7 +58,6 @@ def _tail(name: str) -> tuple[int, ...]:
         "sideways": (3,),
         "load_shift": (2,),
         "duty": (2 * PWM_MAX + 1,),
-        "work": (5,),
     }
     return tails.get(name, ())
 
@@ -83,6 +82,7 @@ def _build_wheels(
     drive.forward[i, at] = base.jacobian
     drive.sideways[i, at] = base.transverse
     drive.radius[i, at] = base.rolling_radius
+    drive.mobility[i, at] = 1 / robot.mass + base.jacobian[:, 2] ** 2 / robot.yaw_inertia
     grip = wheels.grip
     drive.static[i, at] = floor * grip.static
     drive.kinetic[i, at] = floor * grip.kinetic
@@ -140,4 +140,3 @@ def loads(base: OmniBase, weight: float, lean: float) -> tuple[Array, Array]:
     balance = np.vstack([np.ones(len(base.contact)), base.contact.T])
     share = np.linalg.pinv(balance)
     return share[:, 0] * weight, -lean * share[:, 1:]
-

@@ -8,6 +8,7 @@ plain Python use the same path and a tick needs no Python at all. Chipmunk's own
 
 import ctypes
 import weakref
+from math import sqrt
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -18,16 +19,14 @@ from soccersim.kernel import kernel
 from soccersim.spec.scenario import Scenario
 from soccersim.state import Array, Truth
 
-SOLVER_ITERATIONS = 10  # enough for bodies that touch one other; see crowd_iterations
-CROWD_ITERATIONS = 200  # a ball squeezed by two robots needs as many; fewer favour one end
+SOLVER_ITERATIONS = 10
 CONTACT_SLOP = 2e-4  # m of overlap left alone; pymunk's 0.1 is meant for pixels
-OVERLAP_LEFT = 1e-8  # share of an overlap left after a second: pushed out within a few ticks
+OVERLAP_LEFT = 1e-8  # share of an overlap left after a second: a thirtieth a tick is pushed out
 BOARD = 1.0  # m of the board's half thickness: nothing fast passes through
 POSE = lib.POSITION | lib.ANGLE | lib.VELOCITY | lib.ANGULAR_VELOCITY
 WRENCH = lib.FORCE | lib.TORQUE
-CROWD_GAP = 0.02  # m: bodies nearer than this may touch within the tick
 HUGE = 1e9  # N or N m that nothing here can push with: a number gone wrong
-ROBOT_FRICTION = 0.3  # of shells against each other and the board (estimate)
+SHELL_FRICTION = 0.3  # of robots against each other and the walls (estimate)
 NET_RADIUS = 0.02  # m, half the thickness of the net
 SLACK = 8  # numbers of room behind the batch arrays: pymunk checks no bounds
 
@@ -37,7 +36,6 @@ class Chipmunk(NamedTuple):
 
     step: Any  # cpSpaceStep(space, dt)
     each_body: Any  # cpSpaceEachBody(space, function, data)
-    set_iterations: Any  # cpSpaceSetIterations(space, count)
     space: int
     getter: int
     setter: int
@@ -47,8 +45,6 @@ class Chipmunk(NamedTuple):
     write_count: Any  # (1,) int32
     read: Array  # 6 numbers a body: x, y, angle, vx, vy, omega
     write: Array  # 3 numbers a body: fx, fy, torque
-    radius: Array  # (B,) of the bodies, m
-    edge: Array  # (2,) |x| of the goal lines and |y| of the boards, m
 
 
 @kernel
@@ -62,7 +58,6 @@ def step_bodies(chipmunk: Chipmunk, truth: Truth, dt: float) -> bool:
             chipmunk.write[3 * body + k] = truth.wrench[body, k]
     chipmunk.write_count[0] = 0
     chipmunk.each_body(chipmunk.space, chipmunk.setter, chipmunk.write_data)
-    chipmunk.set_iterations(chipmunk.space, iterations(chipmunk, truth))
     chipmunk.step(chipmunk.space, dt)
     chipmunk.read_count[0] = 0
     chipmunk.each_body(chipmunk.space, chipmunk.getter, chipmunk.read_data)
@@ -70,26 +65,6 @@ def step_bodies(chipmunk: Chipmunk, truth: Truth, dt: float) -> bool:
         for k in range(6):
             truth.body[body, k] = chipmunk.read[6 * body + k]
     return True
-
-
-@kernel
-def iterations(chipmunk: Chipmunk, truth: Truth) -> int:
-    """How often the solver must go over the contacts: more where a body touches two others."""
-    bodies = truth.body.shape[0]
-    for body in range(bodies):
-        x, y = truth.body[body, 0], truth.body[body, 1]
-        reach = chipmunk.radius[body] + CROWD_GAP
-        touching = 0
-        if abs(x) > chipmunk.edge[0] - reach or abs(y) > chipmunk.edge[1] - reach:
-            touching = 1
-        for other in range(bodies):
-            near = reach + chipmunk.radius[other]
-            dx, dy = truth.body[other, 0] - x, truth.body[other, 1] - y
-            if other != body and dx * dx + dy * dy < near * near:
-                touching += 1
-        if touching > 1:
-            return CROWD_ITERATIONS
-    return SOLVER_ITERATIONS
 
 
 class World:
@@ -101,19 +76,18 @@ class World:
 
     def __init__(self, scenario: Scenario, truth: Truth) -> None:
         space = pymunk.Space(threaded=False)
+        space.iterations = SOLVER_ITERATIONS
         space.collision_slop = CONTACT_SLOP
         space.collision_bias = OVERLAP_LEFT
         self.space = space
         at = scenario.coordinates
-        radii = []
         for row, player in enumerate(scenario.robots):
             model = player.model
             body = pymunk.Body(model.mass, model.yaw_inertia)
             x, y, body.angle = at.field_pose(player.start)
             body.position = x, y
-            self._add_disc(body, model.radius, model.elasticity, ROBOT_FRICTION)
+            self._add_disc(body, model.radius, model.elasticity, sqrt(SHELL_FRICTION))
             truth.body[row, :3] = x, y, body.angle
-            radii.append(model.radius)
         if scenario.ball:
             ball = scenario.ball
             body = pymunk.Body(ball.mass, ball.shell * ball.mass * ball.radius**2)
@@ -123,12 +97,9 @@ class World:
             # nothing here slows a ball that turns about the vertical
             self._add_disc(body, ball.radius, elasticity=1.0, friction=0.0)
             truth.body[-1] = *body.position, 0.0, *body.velocity, 0.0
-            radii.append(ball.radius)
         self._add_walls(scenario)
-        field = scenario.field
         self._keep: list[Any] = []
-        edge = np.array([field.half_length, field.half_width + field.border])
-        self.chipmunk = self._connect(np.array(radii, float), edge)
+        self.chipmunk = self._connect(len(truth.body))
         weakref.finalize(self, _free, space)
 
     def _add_disc(
@@ -139,32 +110,42 @@ class World:
         self.space.add(body, shape)
 
     def _add_walls(self, scenario: Scenario) -> None:
-        """The board round the field, and on each side a goal of two posts and a net."""
+        """The board round the field, and on each side a goal of two posts and a net.
+
+        Wall by wall, each followed by itself turned by half a turn, those that can be touched
+        together first: so Chipmunk takes the contacts at both ends in the same order, and the
+        solver favours neither.
+        """
         field, goal = scenario.field, scenario.field.goal
+        x, y = field.half_length, goal.width / 2 + goal.post_radius
+        for end in (-y, y):
+            self._add_pair((x, end), (x, end), goal.post_radius, goal.post_elasticity)
+        back = x + goal.depth
+        for end in (-y, y):
+            self._add_pair((x, end), (back, end), NET_RADIUS, goal.net_elasticity)
+        self._add_pair((back, -y), (back, y), NET_RADIUS, goal.net_elasticity)
         x, y = field.half_length + field.border + BOARD, field.half_width + field.border + BOARD
-        corners = [(-x, -y), (x, -y), (x, y), (-x, y)]
-        for k in range(4):
-            self._add_wall(corners[k], corners[(k + 1) % 4], BOARD, field.board_elasticity)
-        half = goal.width / 2 + goal.post_radius
-        for side in (-1, 1):
-            line, back = side * field.half_length, side * (field.half_length + goal.depth)
-            for end in (-half, half):
-                self._add_wall((line, end), (line, end), goal.post_radius, goal.post_elasticity)
-                self._add_wall((line, end), (back, end), NET_RADIUS, goal.net_elasticity)
-            self._add_wall((back, -half), (back, half), NET_RADIUS, goal.net_elasticity)
+        self._add_pair((x, -y), (x, y), BOARD, field.board_elasticity)
+        self._add_pair((x, y), (-x, y), BOARD, field.board_elasticity)
+
+    def _add_pair(
+        self, a: tuple[float, float], b: tuple[float, float], radius: float, elasticity: float
+    ) -> None:
+        """A wall, and the same turned by half a turn."""
+        self._add_wall(a, b, radius, elasticity)
+        self._add_wall((-a[0], -a[1]), (-b[0], -b[1]), radius, elasticity)
 
     def _add_wall(
         self, a: tuple[float, float], b: tuple[float, float], radius: float, elasticity: float
     ) -> None:
         body = self.space.static_body
         shape = pymunk.Circle(body, radius, a) if a == b else pymunk.Segment(body, a, b, radius)
-        shape.elasticity, shape.friction = elasticity, ROBOT_FRICTION
+        shape.elasticity, shape.friction = elasticity, sqrt(SHELL_FRICTION)  # they multiply
         self.space.add(shape)
 
-    def _connect(self, radius: Array, edge: Array) -> Chipmunk:
+    def _connect(self, bodies: int) -> Chipmunk:
         """Buffers for the batch functions, and the addresses of what kernels call."""
-        pointer, whole = ctypes.c_void_p, ctypes.c_int
-        bodies = len(radius)
+        pointer = ctypes.c_void_p
         read, read_count, read_data = self._buffer(6 * (bodies + 1), POSE)
         write, write_count, write_data = self._buffer(3 * (bodies + 1), WRENCH)
         return Chipmunk(
@@ -172,7 +153,6 @@ class World:
             each_body=ctypes.CFUNCTYPE(None, pointer, pointer, pointer)(
                 _address("cpSpaceEachBody")
             ),
-            set_iterations=ctypes.CFUNCTYPE(None, pointer, whole)(_address("cpSpaceSetIterations")),
             space=int(ffi.cast("uintptr_t", self.space._space)),
             getter=_address("pmSpaceBodyGetIteratorFuncBatched"),
             setter=_address("pmSpaceBodySetIteratorFuncBatched"),
@@ -182,8 +162,6 @@ class World:
             write_count=write_count,
             read=read,
             write=write,
-            radius=radius,
-            edge=edge,
         )
 
     def _buffer(self, numbers: int, fields: int) -> tuple[Array, Any, int]:
