@@ -5,7 +5,7 @@ import pytest
 
 from soccersim.reproduce import utama, utama_runs, utama_square
 from soccersim.reproduce.lab import Lab
-from soccersim.reproduce.samples import distance, percentile
+from soccersim.reproduce.samples import distance, percentile, poses
 from soccersim.reproduce.utama_points import (
     RUNS,
     compass,
@@ -112,6 +112,12 @@ def test_one_run_over_time_ends_where_the_run_of_its_seed_ends(lab):
     k = lab.seeds.index(seed)
     assert one["true"][-1] == pytest.approx(runs.true[k, -1], abs=2.0)
     assert one["sensor"][-1] == pytest.approx(runs.sensor[k, -1], abs=2.0)
+
+
+def test_our_headings_turn_clockwise_as_the_compass_does(lab):
+    runs = simulate(lab, "defender")
+    counter_clockwise = poses(lab.runs("defender"), "truth")[..., 2]
+    assert runs.true[:, 1:, 2] == pytest.approx(-np.degrees(counter_clockwise))
 
 
 def test_the_median_run_has_as_many_worse_as_better(lab):
