@@ -117,6 +117,39 @@ def note_inverse(radius: float, distance: float) -> Array:
     return np.array([[-1, 1, yaw], [1, 1, yaw], [-1, -1, yaw], [-1, -1, yaw]]) / radius
 
 
+def note_expanded(radius: float) -> Array:
+    """The lines that the note draws from its first matrix, (3, 4): v_x, v_y and again `v_x`.
+
+    The first has the sign of row 1 reversed, the second is row 3 without its 1/L, and the third is
+    row 2, v_y; the line of the yaw rate is missing.
+    """
+    return radius / 4 * np.array([[1, -1, -1, 1], [1, 1, 1, 1], [1, 1, -1, -1]])
+
+
+def note_wheels(azimuths: Sequence[float]) -> Array:
+    """The note's speed of each rim, (4, 2) of v_x and v_y, before it is simplified.
+
+    That of wheel 3 needs a - before its v_y, that of wheel 4 a cosine; the note also writes
+    alpha_2 for alpha_3 and alpha_4. What it simplifies them to is right.
+    """
+    one, two, three, four = azimuths
+    return np.array(
+        [
+            [-sin(one), cos(one)],
+            [-sin(pi - two), -cos(pi - two)],
+            [cos(1.5 * pi - three), sin(1.5 * pi - three)],
+            [sin(2 * pi - four), sin(2 * pi - four)],
+        ]
+    )
+
+
+def note_last(azimuth: float, radius: float, distance: float) -> Array:
+    """The note's last (3, 4) matrix, of alpha_1: rows 1 and 2 lack a factor of -2."""
+    angles = (pi / 2 + azimuth, 1.5 * pi - azimuth, 1.5 * pi + azimuth, pi / 2 - azimuth)
+    along, across = [sin(angle) for angle in angles], [cos(angle) for angle in angles]
+    return radius / 4 * np.array([along, across, [1 / distance] * 4])
+
+
 def garcia_eq29(radius: float, distance: float) -> Array:
     """Garcia-Sillas (29), forward: entry (1, 3) must be -R/sqrt3; as printed the rank is 2."""
     x, yaw = radius / sqrt(3), -radius / (3 * distance)
