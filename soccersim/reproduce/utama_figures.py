@@ -83,7 +83,7 @@ def _draw_task(on: Axes, name: str, runs: Runs, one: Track) -> None:
         draw_paper(on, told[:, 0], told[:, 1], f"paper, {key}", marker=marker, ms=6)
     stops = points(name, "commanded")
     # points, clear of marks and lines
-    beside = ((10, -4), (14, 12) if len(stops) == 2 else (12, -16), (-20, 8))
+    beside = ((10, -4), (12, 2) if len(stops) == 2 else (12, -16), (-20, 8))
     for letter, at, shift in zip("ABC", stops, beside, strict=False):
         on.annotate(letter, at, shift, textcoords="offset points", color=PAPER, size=11)
     on.margins(x=0.15)

@@ -122,6 +122,6 @@ def _outside(rows: list[list[Cell]]) -> str:
     if not names:
         return "All of the paper's errors lie inside our 5-95 % bands."
     return (
-        f"Outside the physics' band: {', '.join(names)}. Of four averages some may be so small "
-        "by chance; the paper's last leg, 478 mm, is as much as a whole run's drift."
+        f"Outside the physics' band: {', '.join(names)}. Which error the paper averaged is not "
+        "told; each leg is held against two, and its last one's 478 mm are a whole run's drift."
     )
