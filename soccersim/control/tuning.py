@@ -23,7 +23,8 @@ NEAR = 1.02  # ratio of gains at which a sweep is done
 BAND = 0.02  # of the step: settled
 STAYS = 0.95  # of the time watched: what settles later may swing on
 CLOSE_DEG = 3.0  # of phase: as good as the same
-EQUAL = 1.02  # ratio of errors that makes no difference
+EQUAL = 1.02  # ratio of costs that makes no difference
+WORTH = 1.05  # ratio of costs that a change is worth
 SAME = 0.01  # of the step: nor do overshoots that differ by less
 
 
@@ -268,27 +269,29 @@ class Option:
     measures: tuple[Measures, ...]
 
     @property
-    def iae(self) -> float:
-        """Of all answers together; infinite where one is not sound."""
-        return sum(m.iae for m in self.measures) if all(m.sound for m in self.measures) else inf
+    def cost(self) -> float:
+        """The IAE of all answers, more by what each overshoots; infinite if one is not sound."""
+        if not all(m.sound for m in self.measures):
+            return inf
+        return sum(m.iae * (1.0 + m.overshoot) for m in self.measures)
 
 
 def gentlest(options: Sequence[Option]) -> int:
-    """Which to take: of the sound ones near the least IAE the simplest, with the lowest gain.
+    """Which to take: of the sound ones near the least cost the simplest, with the lowest gain.
 
     Where none is sound, the one that overshoots least, all else alike.
     """
-    least = min(option.iae for option in options)
+    least = min(option.cost for option in options)
     if least == inf:
         worst = [max(m.overshoot + abs(m.final_error) for m in o.measures) for o in options]
         near = [k for k in range(len(options)) if worst[k] <= min(worst) + SAME]
     else:
-        near = [k for k, option in enumerate(options) if option.iae <= least * EQUAL]
+        near = [k for k, option in enumerate(options) if option.cost <= least * EQUAL]
     return min(near, key=lambda k: (CONTROLLERS.index(options[k].controller), options[k].kp))
 
 
 def better(option: Option, present: Option) -> bool:
     """Whether a change is worth it."""
-    if option.iae == present.iae == inf:
+    if option.cost == present.cost == inf:
         return gentlest((option, present)) == 0
-    return option.iae * EQUAL < present.iae
+    return option.cost * WORTH < present.cost

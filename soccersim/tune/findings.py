@@ -114,8 +114,8 @@ def why(tuned: Tuned) -> str:
     if not best.measures.sound:
         return f"the present gains stay: {name}, the best rule, {_fault(best.measures)}"
     change = best.measures.iae / tuned.present.measures.iae - 1
-    if abs(change) < 0.02:
-        return f"the present gains stay: {name}, the best rule, does as well"
+    if change < 0.02:
+        return f"the present gains stay: {name}, the best rule, does little or no better"
     return f"the present gains stay: {name}, the best rule, has {change:.0%} more error"
 
 

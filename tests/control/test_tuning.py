@@ -263,6 +263,7 @@ def test_where_none_is_sound_the_smallest_overshoot_counts():
 
 def test_a_change_must_be_worth_it():
     assert better(option("P", 1, 0.9), option("P", 1, 1.0))
-    assert not better(option("P", 1, 0.99), option("P", 1, 1.0))
+    assert not better(option("P", 1, 0.97), option("P", 1, 1.0))
+    assert not better(option("P", 1, 0.9, overshoot=0.09), option("P", 1, 1.0))
     assert not better(option("P", 1, 0.1, overshoot=0.5), option("P", 1, 1.0))
     assert better(option("P", 1, 2.0), option("P", 1, 1.0, overshoot=0.5))
