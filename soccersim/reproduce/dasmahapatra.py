@@ -15,8 +15,8 @@ EXAMPLE = 12  # the row of Table 1 at which the equations are evaluated
 UM = 1e4  # um per cm
 HOLDS = 1e-4  # cm; what rounding of the printed digits leaves is less
 COLUMNS = (
-    *("row", "links (cm)", "angles (deg)", "paper X (cm)", "ours X", "off (um)"),
-    *("paper Y (cm)", "ours Y", "off (um)"),
+    *("row", "links (cm)", "angles (deg)", "paper X (cm)", "ours X", "X off (um)"),
+    *("paper Y (cm)", "ours Y", "Y off (um)"),
 )
 
 
