@@ -15,7 +15,9 @@ from soccersim.state import new_readings, new_truth
 
 HZ = 500  # ticks a second
 QUANTUM = 600 / 270  # rpm of one pulse in 100 ms
-LOST = st.floats(0.001, 0.999)
+draws = st.floats(0, 1, exclude_max=True)
+chances = st.fractions(0, 1, max_denominator=50)
+shares = st.floats(0.001, 0.999)
 
 
 class Wheels:
@@ -138,14 +140,12 @@ def test_idris_table_5():
         assert set(pulses[-1]) <= {859, 860}
 
 
-@given(st.integers(0, 60), st.fractions(0, 1, max_denominator=50), st.floats(0, 1, exclude_max=True))
+@given(st.integers(0, 60), chances, draws)
 @example(60, Fraction(1, 2), 0.0)
 @example(60, Fraction(49, 50), 1 - 2**-53)
 def test_binomial_is_the_inverse_of_the_exact_distribution(trials, chance, draw):
     hits = binomial(float(trials), float(chance), draw)
-    below = sum(
-        comb(trials, k) * chance**k * (1 - chance) ** (trials - k) for k in range(hits + 1)
-    )
+    below = sum(comb(trials, k) * chance**k * (1 - chance) ** (trials - k) for k in range(hits + 1))
     here = comb(trials, hits) * chance**hits * (1 - chance) ** (trials - hits)
     assert 0 <= hits <= trials
     assert float(below - here) <= draw + 1e-12
@@ -178,7 +178,7 @@ def test_missed_edges_have_the_binomial_s_mean_and_variance():
     assert abs(again) < 4 / sqrt(lost.size)  # one reading knows nothing of the next
 
 
-@given(LOST, st.booleans())
+@given(shares, st.booleans())
 @settings(max_examples=30)
 def test_missed_edges_only_ever_shorten_the_way(missed, backwards):
     wheels = Wheels(with_encoder(missed=missed), seed=5)
