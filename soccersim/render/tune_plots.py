@@ -164,7 +164,7 @@ def _interesting(loop: LoopPicture) -> float:
     """Seconds until nearly all answers are settled."""
     last = []
     for curve in loop.steps:
-        outside = np.flatnonzero(np.abs(curve.value / loop.step - 1.0) > 0.03)
+        outside = np.flatnonzero(np.abs(curve.value / loop.step - 1.0) > 0.06)
         last.append(curve.time[outside[-1]] if len(outside) else 0.0)
     return float(max(0.5, min(1.4 * np.median(last), loop.steps[0].time[-1])))
 
