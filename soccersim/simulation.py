@@ -193,7 +193,11 @@ class Simulation:
 
     def recording(self) -> Recording:
         """What has been recorded so far."""
-        arrays = {key: np.concatenate(parts) for key, parts in self._pieces.items()}
+        log = self.machine.log  # its empty start makes a run of no records one too
+        arrays = {
+            key: np.concatenate([getattr(log, key)[:0], *parts])
+            for key, parts in self._pieces.items()
+        }
         return Recording(
             {
                 "format": FORMAT,

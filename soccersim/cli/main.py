@@ -78,15 +78,19 @@ def main() -> None:
     open_streams()
     unheard = listen()
     try:
-        soccersim.main([a for a in arguments if a != "--debug"], "soccersim", standalone_mode=False)
+        words = [a for a in arguments if a != "--debug"]
+        code = soccersim.main(words, "soccersim", standalone_mode=False)
         sys.stdout.flush()
     except BrokenPipeError:  # as `soccersim list | head` leaves it
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         sys.exit(0)
+    except SystemExit:  # the same, met by click
+        sys.exit(0)
     except (Exception, KeyboardInterrupt) as error:
-        if debug and not isinstance(error, click.exceptions.Exit):
+        if debug:
             raise
         sys.exit(tell(KeyboardInterrupt() if unheard else error))
+    sys.exit(code if isinstance(code, int) else 0)
 
 
 def open_streams() -> None:
@@ -115,8 +119,6 @@ def listen() -> list[KeyboardInterrupt]:
 
 def tell(error: BaseException) -> int:
     """Say what is wrong on standard error; returns the exit code."""
-    if isinstance(error, click.exceptions.Exit):
-        return error.exit_code
     if isinstance(error, click.ClickException):
         context = getattr(error, "ctx", None)
         path = context.command_path if context else "soccersim"

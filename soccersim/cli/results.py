@@ -27,7 +27,10 @@ class Results:
         self.names = names
         self.written: list[Path] = []
         self._made: list[Path] = []
-        there = [name for name in names if (folder / name).exists()]
+        try:
+            there = [name for name in names if (folder / name).exists()]
+        except OSError as error:  # a name too long
+            raise failed(folder, error) from error
         if there and not force:
             wrong = f"holds {', '.join(there)} already: choose another folder, or add --force"
             raise InputError(Problem(wrong, file=str(folder)))

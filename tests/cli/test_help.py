@@ -1,0 +1,115 @@
+"""Help, verbs and usage: quick to answer, with an example each, one line when misused."""
+
+import subprocess
+import sys
+from importlib import import_module
+
+import click
+import pytest
+
+from soccersim import __version__
+from soccersim.cli.main import VERBS
+
+HEAVY = ("numpy", "pydantic", "numba", "rich", "matplotlib", "pygame", "av", "pymunk", "yaml")
+LOADED = """
+import sys
+from soccersim.cli.main import soccersim
+try:
+    soccersim.main({words!r}, "soccersim")
+finally:
+    print([name for name in {heavy!r} if name in sys.modules])
+"""
+
+
+@pytest.mark.parametrize("words", [["--help"], ["--version"], ["run", "--help"], ["nonsense"]])
+def test_help_waits_for_nothing_heavy(words):
+    code = LOADED.format(words=words, heavy=HEAVY)
+    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    assert ended.stdout.splitlines()[-1] == "[]"
+
+
+def test_a_newcomer_who_types_the_name_alone_reads_what_there_is(soccersim):
+    alone = soccersim()
+    assert (alone.code, alone.err) == (0, "")
+    assert "soccersim run defender" in alone.out
+    assert all(f"\n  {verb} " in alone.out for verb in VERBS)
+    assert soccersim("--help").out == soccersim("-h").out == alone.out
+    assert soccersim("--version").out == f"soccersim, version {__version__}\n"
+
+
+@pytest.mark.parametrize("verb", VERBS)
+def test_the_help_of_every_verb_shows_an_example(soccersim, verb):
+    told = soccersim(verb, "--help")
+    assert told.code == 0
+    assert f"\n  soccersim {verb}" in told.out
+    command = import_module(f"soccersim.cli.{verb}").command
+    assert all(option.help for option in command.params if isinstance(option, click.Option))
+
+
+@pytest.mark.parametrize(
+    ("words", "line"),
+    [
+        (["rnu"], "soccersim: no command `rnu`: did you mean `run`?; see soccersim --help"),
+        (["run"], "soccersim run: Missing argument 'SCENARIO'; see soccersim run --help"),
+        (
+            ["run", "defender", "--frames"],
+            "soccersim run: --frames and --video need a folder: --out DIR; see soccersim run "
+            "--help",
+        ),
+        (
+            ["run", "defender", "--runs", "0"],
+            "soccersim run: Invalid value for '--runs': 0 is not in the range 1<=x<=100000; "
+            "see soccersim run --help",
+        ),
+    ],
+)
+def test_misuse_is_told_in_one_line(soccersim, words, line):
+    ended = soccersim(*words)
+    assert (ended.code, ended.out, ended.lines) == (2, "", [line])
+
+
+def test_a_misspelt_option_is_refused_with_the_nearest(soccersim):
+    ended = soccersim("run", "defender", "--sed", 3)
+    assert (ended.code, ended.out, len(ended.lines)) == (2, "", 1)
+    assert "--sed" in ended.err
+    assert "--seed" in ended.err
+
+
+def test_only_debug_shows_a_traceback(soccersim):
+    with pytest.raises(Exception, match="no scenario `nobody`"):
+        soccersim("run", "nobody", "--debug")
+    ended = soccersim("run", "nobody")
+    assert (ended.code, len(ended.lines)) == (2, 1)
+
+
+def test_a_fault_of_ours_is_one_line_too_and_says_how_to_see_more(soccersim, monkeypatch):
+    def fail(*_, **__):
+        raise ZeroDivisionError("float division by zero")
+
+    monkeypatch.setattr("soccersim.spec.load.load_scenario", fail)
+    ended = soccersim("run", "defender")
+    assert ended.code == 4
+    assert ended.lines == [
+        "float division by zero",
+        "ZeroDivisionError: a fault of soccersim itself; --debug shows where",
+    ]
+
+
+def test_list_names_all_that_is_bundled_and_its_json_is_one_document(soccersim):
+    from json import loads
+
+    from soccersim.bundled import PLACES, names
+
+    told, shown = loads(soccersim("list", "--json").out), soccersim("list").out
+    assert {kind: list(entries) for kind, entries in told.items()} == {k: names(k) for k in PLACES}
+    for entries in told.values():
+        for name, about in entries.items():
+            assert name in shown
+            assert about, name
+            assert not about.endswith(".")
+
+
+def test_no_output_is_too_narrow_in_its_letters(process, tmp_path):
+    told = process("run", "linear", "--set", "duration=0.1", env={"PYTHONIOENCODING": "ascii"})
+    assert (told.code, told.err) == (0, "")
+    assert "linear" in told.out
