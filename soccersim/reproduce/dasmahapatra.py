@@ -77,7 +77,7 @@ def forward_table() -> Section:
         for i in range(len(ours))
     ]
     marks = {
-        i: f"{row['misprint']}: {str(row['note']).partition(';')[0]}"
+        i: f"{row['misprint']}: {str(row['note']).partition(';')[0].removeprefix('a ')}"
         for i, row in enumerate(paper.rows)
         if row["misprint"]
     }

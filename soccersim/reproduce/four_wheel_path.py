@@ -9,7 +9,14 @@ from soccersim.render.topview import draw_top_view
 from soccersim.render.tracks import letter, tracks
 from soccersim.reproduce.figures import GREY, Figure, axes, canvas, draw_cloud
 from soccersim.reproduce.lab import Lab
-from soccersim.reproduce.samples import band_cells, distance, held_against, poses, times
+from soccersim.reproduce.samples import (
+    band_cells,
+    distance,
+    held_against,
+    poses,
+    rounded,
+    times,
+)
 from soccersim.reproduce.section import Cell, Section
 from soccersim.simulation import Simulation
 from soccersim.spec.load import load_scenario
@@ -45,7 +52,7 @@ def followed(lab: Lab) -> Section:
         "path",
         "A planned path followed (the path is ours: the note prints none)",
         COLUMNS,
-        rows,
+        rounded(rows, 2),
         summary=[
             held_against("truly off at the end (mm)", off[:, -1]),
             held_against("the same, % of the path", off[:, -1] / 10 / path),

@@ -275,3 +275,8 @@ def test_ranks_are_told(sections):
         "equation-19": (6, 8, 6),
         "equations-29-30": (3, 2, 3),
     }
+
+
+def test_table_1_tells_where_the_wheels_point_as_printed_and_mended(sections):
+    told = [row[:1] + row[3:] for row in sections["table-1"].rows]
+    assert told == [[1, 180, 0, 0, 180], [2, 0, 60, 0, 60], [3, 0, 300, 0, 300]]

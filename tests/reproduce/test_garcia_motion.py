@@ -66,3 +66,8 @@ def test_equation_28_as_printed_turns_the_other_way_at_a_third_of_the_rate():
 def test_figures_are_drawn(sections, key, tmp_path):
     sections[key].figure().savefig(tmp_path / "figure.png")
     assert (tmp_path / "figure.png").stat().st_size > 20_000
+
+
+def test_a_robot_that_drives_ahead_has_its_velocity_along_its_heading():
+    body = np.array([[0, 0, np.pi / 2, 0, 2, 0.5], [0, 0, np.pi, -3, 0, 0]])
+    assert garcia_motion.in_body(body) == exactly([[2, 0, 0.5], [3, 0, 0]])
