@@ -101,9 +101,7 @@ def _inverse_kinematics(loop: WheelLoop, command: Command, robot: int) -> int:
 
 
 @kernel
-def _wheel_pi(
-    loop: WheelLoop, readings: Readings, command: Command, robot: int, dt: float
-) -> None:
+def _wheel_pi(loop: WheelLoop, readings: Readings, command: Command, robot: int, dt: float) -> None:
     """PWM for the wanted speeds: the table's, and a PI that stops summing at full PWM."""
     for wheel in range(loop.wheels[robot]):
         wanted = command.wheel_speed[robot, wheel]

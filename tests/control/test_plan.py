@@ -182,8 +182,9 @@ def test_pushed_robots_follow_the_hand_with_their_motors_idle():
 def test_a_hand_goes_from_mark_to_mark_whatever_the_robot_believes():
     """Wheels that are 10 % too small make the odometry err, not the hand."""
     small = robot(drive={"build": {"radius_bias": -0.1}, "motor": {"at_zero": "coast"}})
-    legs = simulate(player(small, (1, 0, 0), (2, 0, 0), (3, 0, 0), pushed_by={})).legs[0]
-    for leg, x in zip(legs, (1, 2, 3), strict=True):
+    run = simulate(player(small, (1, 0, 0), (2, 0, 0), (3, 0, 0), pushed_by={}))
+    assert np.hypot(*np.diff(run.reference[:, 0, :2], axis=0).T).max() < 0.2 / 50 * 1.01
+    for leg, x in zip(run.legs[0], (1, 2, 3), strict=True):
         assert far(leg["truth"], (x, 0)) < 2e-3
         assert leg["odometry"][0] == pytest.approx(x / 0.9, rel=0.01)
 

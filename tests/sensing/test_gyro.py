@@ -71,6 +71,11 @@ def test_a_perfect_gyro_tells_the_turn_exactly(angles, start):
     assert table.angle[0] == pytest.approx(sum(angles), abs=1e-13)
 
 
+def test_a_robot_that_starts_turned_has_not_turned():
+    table = Turntable(robot(), start=2.0)
+    assert (table.readings.gyro[0], table.angle[0]) == (0.0, 0.0)
+
+
 def test_a_sample_is_the_mean_rate_since_the_last():
     table = Turntable(robot(gyro={"rate_hz": 100}), hz=500)
     told = table.turn(*np.arange(10) * 1e-3)[:, 0]

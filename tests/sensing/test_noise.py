@@ -77,6 +77,13 @@ def test_equal_robots_do_not_err_alike():
     assert abs(np.corrcoef(noise[:, 0], noise[:, 1])[0, 1]) < 4 / BLOCK**0.5
 
 
+def test_a_gyro_s_walk_knows_nothing_of_its_white_noise():
+    source = NoiseSource([real()], 3, 500, 0)
+    source.prepare(0, 1)
+    noise = source.noise
+    assert abs(np.corrcoef(noise.gyro_white[:, 0], noise.gyro_walk[:, 0])[0, 1]) < 4 / BLOCK**0.5
+
+
 def test_another_seed_is_another_run():
     digests = {simulate(player(real(), MOVE), seed=seed).digest for seed in (1, 2, 3)}
     assert len(digests) == 3
