@@ -124,7 +124,7 @@ def _half_units(paper: PaperTable) -> np.ndarray:
 
 
 def _joined(paper: PaperTable, i: int, name: str) -> str:
-    return ",".join(paper.printed[i][f"{name}{k}"] for k in (1, 2, 3))
+    return ", ".join(paper.printed[i][f"{name}{k}"] for k in (1, 2, 3))
 
 
 def _numbers(chosen: np.ndarray) -> str:
