@@ -19,6 +19,9 @@ from soccersim.kernel import kernel
 from soccersim.spec.scenario import Scenario
 from soccersim.state import Array, Truth
 
+# Ends are alike whatever this is (see World._add_walls); it settles how deep robots squeeze the
+# ball: 7 mm at 5, 4 mm at 10, 2 mm at 20. Ten robots in a heap take 10, 11.5, 13 us a tick then,
+# and 48 us at 200.
 SOLVER_ITERATIONS = 10
 CONTACT_SLOP = 2e-4  # m of overlap left alone; pymunk's 0.1 is meant for pixels
 OVERLAP_LEFT = 1e-8  # share of an overlap left after a second: a thirtieth a tick is pushed out
@@ -112,21 +115,22 @@ class World:
     def _add_walls(self, scenario: Scenario) -> None:
         """The board round the field, and on each side a goal of two posts and a net.
 
-        Wall by wall, each followed by itself turned by half a turn, those that can be touched
-        together first: so Chipmunk takes the contacts at both ends in the same order, and the
-        solver favours neither.
+        Both ends must be alike to the solver too, which takes a body's contacts in the order of
+        Chipmunk's tree of walls. So each wall is followed by itself turned by half a turn, and
+        none is added that lies midway between two others: where the tree would have to choose,
+        rounding would choose differently at the two ends. Hence the boards that stop before a
+        corner, where the next one goes on, and the back of the net before its sides.
         """
         field, goal = scenario.field, scenario.field.goal
-        x, y = field.half_length, goal.width / 2 + goal.post_radius
-        for end in (-y, y):
-            self._add_pair((x, end), (x, end), goal.post_radius, goal.post_elasticity)
-        back = x + goal.depth
-        for end in (-y, y):
-            self._add_pair((x, end), (back, end), NET_RADIUS, goal.net_elasticity)
-        self._add_pair((back, -y), (back, y), NET_RADIUS, goal.net_elasticity)
         x, y = field.half_length + field.border + BOARD, field.half_width + field.border + BOARD
         self._add_pair((x, -y), (x, y), BOARD, field.board_elasticity)
-        self._add_pair((x, y), (-x, y), BOARD, field.board_elasticity)
+        self._add_pair((x - BOARD, y), (-x, y), BOARD, field.board_elasticity)
+        x, y = field.half_length, goal.width / 2 + goal.post_radius
+        back = x + goal.depth
+        self._add_pair((back, -y), (back, y), NET_RADIUS, goal.net_elasticity)
+        for end in (-y, y):
+            self._add_pair((x, end), (x, end), goal.post_radius, goal.post_elasticity)
+            self._add_pair((x, end), (back, end), NET_RADIUS, goal.net_elasticity)
 
     def _add_pair(
         self, a: tuple[float, float], b: tuple[float, float], radius: float, elasticity: float
