@@ -9,9 +9,11 @@ from typing import Any
 
 import numpy as np
 
+from soccersim.arm_report import arms, shots
 from soccersim.record import Recording
 from soccersim.spec.frame import Coordinates, Vector
-from soccersim.spec.scenario import Paper, Scenario
+from soccersim.spec.player import Paper
+from soccersim.spec.scenario import Scenario
 
 Leg = dict[str, Any]
 ERRORS = {  # key: the two poses it compares, position first, then heading
@@ -41,6 +43,8 @@ def report(recording: Recording) -> dict[str, Any]:
             "mirror_y": scenario.frame.mirror_y,
         },
         "robots": robots(recording),
+        "arms": arms(recording),
+        "shots": shots(recording),
     }
 
 

@@ -22,10 +22,13 @@ from soccersim.control.plan import (
     new_progress,
 )
 from soccersim.control.position import PositionLoop, build_position_loop, seek
+from soccersim.control.reach import through
 from soccersim.control.wheels import WheelLoop, build_wheel_loop, turn_wheels
 from soccersim.estimation.odometry import Odometry, build_odometry, reckon
 from soccersim.kernel import kernel
-from soccersim.plant.ball import Rolling, roll_ball
+from soccersim.limbs import Limbs, build_limbs, ends, move_arms
+from soccersim.plant.arm import LINKS
+from soccersim.plant.ball import Rolling, build_ball, roll_ball
 from soccersim.plant.build import build_drive, wheel_count
 from soccersim.plant.drive import Drive, drive_robots
 from soccersim.plant.hand import Hand, push_robots
@@ -72,10 +75,12 @@ class Machine(NamedTuple):
     hand: Hand
     drive: Drive
     ball: Rolling
+    limbs: Limbs
     chipmunk: Chipmunk
     log: Log
     sense_every: int  # ticks: at no others is a sensor due
     control_every: int  # ticks: at no others is a robot's code due
+    endless: bool  # nobody has a plan that comes to an end
 
 
 @kernel
@@ -96,16 +101,25 @@ def run_ticks(m: Machine, tick: int, end: int, dt: float) -> int:
             p = m.progress
             record_legs(m.log, p.ended, p.ended_leg, p.ended_reached, m.truth, m.estimate, tick)
         record(m.log, m.truth, m.readings, m.estimate, m.command, m.progress.leg, tick)
-        if tick % m.control_every == 0 and finished(m.plan, m.progress):
+        if tick % m.control_every == 0 and _all_through(m):
             return tick
         push_robots(m.hand, m.command.reference, m.progress.motion, m.truth)
         drive_robots(m.drive, m.truth, m.command.pwm, dt)
         if m.ball.mass > 0.0:
             roll_ball(m.ball, m.truth, dt)
+        move_arms(m.limbs, m.truth, m.readings, m.estimate, tick, dt)
         if not step_bodies(m.chipmunk, m.truth, dt):
             return -1 - tick
         tick += 1
     return tick
+
+
+@kernel
+def _all_through(m: Machine) -> bool:
+    """Whether all plans have come to their end."""
+    return (
+        not m.endless and finished(m.plan, m.progress) and through(m.limbs.plan, m.limbs.progress)
+    )
 
 
 class Simulation:
@@ -121,9 +135,10 @@ class Simulation:
         self.done = False
         self.end = max(1, round(scenario.duration * scenario.timing.physics_hz))
         models = [player.model for player in scenario.robots]
-        robots, wheels = len(models), max(map(wheel_count, models))
+        robots, wheels = len(models), max([0, *map(wheel_count, models)])
+        arms, ball = len(scenario.arms), scenario.ball
         hz, seed = scenario.timing.physics_hz, scenario.seed
-        truth = new_truth(robots + (scenario.ball is not None), robots, wheels)
+        truth = new_truth(robots + (ball is not None) + LINKS * arms, robots, wheels)
         self.world = World(scenario, truth)
         estimate = new_estimate(robots, wheels)
         estimate.pose[:] = truth.body[:robots, :3]
@@ -135,7 +150,7 @@ class Simulation:
         drive = build_drive(models, scenario.field, seed)
         self.machine = Machine(
             truth=truth,
-            readings=new_readings(robots, wheels),
+            readings=new_readings(robots, wheels, arms),
             estimate=estimate,
             command=new_command(robots, wheels),
             encoders=encoders,
@@ -148,7 +163,8 @@ class Simulation:
             wheels=build_wheel_loop(models, wheels),
             hand=Hand(plan.pushed, np.stack([drive.mass, drive.mass, drive.inertia], axis=1)),
             drive=drive,
-            ball=_rolling(scenario),
+            ball=build_ball(scenario),
+            limbs=build_limbs(scenario),
             chipmunk=self.world.chipmunk,
             log=new_log(
                 scenario.every(scenario.timing.record_hz),
@@ -156,10 +172,13 @@ class Simulation:
                 robots,
                 wheels,
                 plan.kind.shape[1],
+                arms,
             ),
             sense_every=_often(np.append(encoders.every, gyros.every)),
             control_every=_often(plan.every),
+            endless=not any(plan.legs) and not any(arm.reaches for arm in scenario.arms),
         )
+        self._shots = list(ball.shots) if ball else []
         self._pieces: dict[str, list[np.ndarray[Any, Any]]] = {
             key: [] for group in ("poses", *scenario.record) for key in GROUPS[group]
         }
@@ -183,7 +202,8 @@ class Simulation:
         while self.tick < goal and not self.done and pieces != 0:
             every = self.machine.log.every
             room = (-(-self.tick // every) + RECORDS) * every
-            piece = self.noise.prepare(self.tick, min(goal, room, self.tick + PIECE))
+            shot = self._shoot()
+            piece = self.noise.prepare(self.tick, min(goal, room, self.tick + PIECE, shot))
             reached = run_ticks(self.machine, self.tick, piece, self.scenario.dt)
             self._check(reached)
             self.done = reached < piece or reached == self.end
@@ -209,9 +229,19 @@ class Simulation:
                 "ticks": self.tick,
                 "platform": fingerprint(),
                 "legs": [self._legs(robot) for robot in range(len(self.scenario.robots))],
+                "arms": [ends(self.machine.limbs, arm) for arm in range(len(self.scenario.arms))],
             },
             arrays,
         )
+
+    def _shoot(self) -> int:
+        """Place the ball where a shot is due; returns the tick of the next one, or the end."""
+        hz, at = self.scenario.timing.physics_hz, self.scenario.coordinates
+        while self._shots and round(self._shots[0].time * hz) <= self.tick:
+            shot = self._shots.pop(0)
+            place, velocity = at.field_pose((*shot.at, 0.0)), at.field_vector(*shot.velocity)
+            self.world.place_ball(self.machine.truth, *place[:2], *velocity)
+        return round(self._shots[0].time * hz) if self._shots else self.end
 
     def _check(self, reached: int) -> None:
         """Nothing may go on from a state that is not made of numbers."""
@@ -271,11 +301,3 @@ class Simulation:
 def _often(every: Whole) -> int:
     """The longest period at which all of these are due; 0 stands for never."""
     return int(np.gcd.reduce(every, axis=None)) or 1
-
-
-def _rolling(scenario: Scenario) -> Rolling:
-    """The ball on this field; mass 0 where there is none."""
-    ball, field = scenario.ball, scenario.field
-    if ball is None:
-        return Rolling(0.0, 1.0, 0.0, 0.0)
-    return Rolling(ball.mass, ball.shell, field.ball_friction, field.ball_rolling)

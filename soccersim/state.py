@@ -34,6 +34,9 @@ class Readings(NamedTuple):
     wheel_speed: Array  # (R, W)  rad/s, from the pulses of the window
     gyro: Array  # (R,)  rad/s
     gyro_angle: Array  # (R,)  rad, the gyro's rates summed by the robot
+    joint: Array  # (A, 3)  rad, angles of the arms' joints
+    joint_rate: Array  # (A, 3)  rad/s
+    ball: Array  # (4,)  x, y, vx, vy as a keeper's arm is shown it; field frame
 
 
 class Estimate(NamedTuple):
@@ -71,10 +74,18 @@ def new_truth(bodies: int, robots: int, wheels: int) -> Truth:
     )
 
 
-def new_readings(robots: int, wheels: int) -> Readings:
+def new_readings(robots: int, wheels: int, arms: int = 0) -> Readings:
     """Nothing counted, nothing felt."""
-    per_wheel = (robots, wheels)
-    return Readings(np.zeros(per_wheel), np.zeros(per_wheel), np.zeros(robots), np.zeros(robots))
+    z, per_wheel, per_joint = np.zeros, (robots, wheels), (arms, 3)
+    return Readings(
+        counts=z(per_wheel),
+        wheel_speed=z(per_wheel),
+        gyro=z(robots),
+        gyro_angle=z(robots),
+        joint=z(per_joint),
+        joint_rate=z(per_joint),
+        ball=z(4),
+    )
 
 
 def new_estimate(robots: int, wheels: int) -> Estimate:

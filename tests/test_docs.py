@@ -16,8 +16,9 @@ from soccersim.record.recording import GROUPS
 from soccersim.report import report
 from soccersim.spec.annotations import alternatives, is_model
 from soccersim.spec.field import Field
+from soccersim.spec.player import Player
 from soccersim.spec.robot import DeadWheels, DriveWheels, Robot
-from soccersim.spec.scenario import Player, Scenario
+from soccersim.spec.scenario import Scenario
 from soccersim.spec.validate import validate
 from soccersim.spec.yaml12 import parse
 
@@ -99,8 +100,9 @@ def test_recording_page_tells_every_array_with_its_shape(everything):
     arrays = {key: told[key] for group in GROUPS.values() for key in group}
     records, bodies, _ = everything.body.shape
     _, robots, wheels = everything.arrays["pwm"].shape
-    sizes = {"T": records, "B": bodies, "R": robots, "W": wheels}
-    assert len(set(sizes.values())) == 4
+    _, arms, _ = everything.arrays["joint"].shape
+    sizes = {"T": records, "B": bodies, "R": robots, "W": wheels, "A": arms}
+    assert len(set(sizes.values())) == 5
     assert set(arrays) == set(everything.arrays)
     for key, (shape, kind, *_) in arrays.items():
         letters = re.findall(r"\w+", shape)

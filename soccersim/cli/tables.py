@@ -38,16 +38,40 @@ def show(spec: "Scenario", document: dict[str, Any]) -> None:
         f"[bold]{name}[/] seed {seed}: {document['duration']:.2f} s simulated, "
         f"digest {document['digest'][:16]}"
     )
-    if not any(robot["legs"] for robot in document["robots"]):
+    if any(arm["goals"] for arm in document["arms"]):
+        console.print(arms_table(document))
+    if document["shots"]:
+        goals = sum(shot["goal"] is not None for shot in document["shots"])
+        console.print(f"{len(document['shots'])} shots, {goals} goals")
+    if any(robot["legs"] for robot in document["robots"]):
+        console.print(legs_table(document))
+        console.print(
+            "[dim]In the scenario's frame, headings counter-clockwise. Error: distance from the "
+            "target; drift: from odometry to truth.[/]"
+        )
+    elif spec.robots:
         console.print(f"{len(spec.robots)} robots, no leg has ended")
-        return
-    console.print(legs_table(document))
-    console.print(
-        "[dim]In the scenario's frame, headings counter-clockwise. Error: distance from the target;"
-        " drift: from odometry to truth.[/]"
-    )
     if "bands" in document:
         console.print(bands_table(document))
+
+
+def arms_table(document: dict[str, Any]) -> Table:
+    """A row a goal of each arm: where the tip should be and where it was held."""
+    table = new_table("where each arm held its tip, from its base", "arm")
+    for name in ("target\nx m", "\ny m", "\ndeg", "tip\nx m", "\ny m", "\ndeg"):
+        table.add_column(name, justify="right", no_wrap=True)
+    for name in ("off by\nmm", "\ndeg"):
+        table.add_column(name, justify="right", no_wrap=True)
+    for arm in document["arms"]:
+        for k, goal in enumerate(arm["goals"], 1):
+            poses = [
+                text
+                for pose in (goal["target"], goal["tip"])
+                for text in (number(pose[0], "m"), number(pose[1], "m"), number(pose[2], "deg"))
+            ]
+            off = f"{1000 * goal['position_error']:.3f}", number(goal["angle_error"], "deg")
+            table.add_row(escape(f"{arm['name']} {k}"), *poses, *off)
+    return table
 
 
 def legs_table(document: dict[str, Any]) -> Table:

@@ -12,7 +12,8 @@ from soccersim.cli.results import Results
 if TYPE_CHECKING:
     from rich.table import Table
 
-    from soccersim.spec.scenario import Player, Scenario
+    from soccersim.spec.player import Player
+    from soccersim.spec.scenario import Scenario
     from soccersim.tune import Tuning
 
 FILES = ("tune.json", "tune.png")

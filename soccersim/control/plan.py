@@ -8,7 +8,8 @@ import numpy as np
 from soccersim.control.profile import profile_at
 from soccersim.geometry import wrap_angle
 from soccersim.kernel import kernel
-from soccersim.spec.scenario import Leg, Player, Scenario
+from soccersim.spec.player import Leg, Player
+from soccersim.spec.scenario import Scenario
 from soccersim.state import Array, Command, Estimate, Whole
 
 TARGET, PWM, WHEEL_SPEEDS, TWIST = 0, 1, 2, 3  # kinds of leg
@@ -53,14 +54,19 @@ def build_plan(scenario: Scenario, wheels: int) -> Plan:
     steps = max([1, *(len(p.path or p.open_loop or ()) for p in robots)])
     n, whole = len(robots), np.int64
     plan = Plan(
-        *(np.zeros(n, whole) for _ in range(3)),
-        np.zeros((n, steps), whole),
-        np.zeros((n, steps, max(3, wheels))),
-        *(np.zeros((n, steps), whole) for _ in range(2)),
-        *(np.zeros(n, whole) for _ in range(2)),
-        *(np.zeros(n) for _ in range(2)),
-        np.zeros(n, whole),
-        np.ones((n, 4)),
+        every=np.zeros(n, whole),
+        legs=np.zeros(n, whole),
+        repeat=np.zeros(n, whole),
+        kind=np.zeros((n, steps), whole),
+        value=np.zeros((n, steps, max(3, wheels))),
+        as_written=np.zeros((n, steps), whole),
+        ticks=np.zeros((n, steps), whole),
+        profiled=np.zeros(n, whole),
+        pushed=np.zeros(n, whole),
+        distance=np.zeros(n),
+        angle=np.zeros(n),
+        dwell=np.zeros(n, whole),
+        limits=np.ones((n, 4)),
     )
     for i, player in enumerate(robots):
         control = player.model.control
@@ -110,12 +116,19 @@ def _limits(player: Player) -> tuple[float, float, float, float]:
 
 def new_progress(start: Array) -> Progress:
     """Nobody has begun; start (R, 3) is where the robots stand."""
-    whole = (np.zeros(len(start), np.int64) for _ in range(6))
-    standing = (np.zeros_like(start), start.copy(), start[:, 2].copy(), np.zeros_like(start))
-    progress = Progress(*whole, *standing)
-    progress.since[:] = -1
-    progress.within[:] = -1
-    return progress
+    count, whole = len(start), np.int64
+    return Progress(
+        leg=np.zeros(count, whole),
+        since=np.full(count, -1, whole),
+        within=np.full(count, -1, whole),
+        ended=np.zeros(count, whole),
+        ended_leg=np.zeros(count, whole),
+        ended_reached=np.zeros(count, whole),
+        start=np.zeros_like(start),
+        goal=start.copy(),
+        written=start[:, 2].copy(),
+        motion=np.zeros_like(start),
+    )
 
 
 @kernel
@@ -142,13 +155,11 @@ def follow(
 
 @kernel
 def finished(plan: Plan, progress: Progress) -> bool:
-    """Whether every robot that has a plan is through with it; never so where none has one."""
-    planned = 0
-    for robot in range(plan.every.shape[0]):
+    """Whether every robot that has a plan is through with it."""
+    for robot in range(plan.every.shape[0]):  # noqa: SIM110 (numba)
         if progress.leg[robot] < plan.legs[robot]:
             return False
-        planned += plan.legs[robot]
-    return planned > 0
+    return True
 
 
 @kernel
@@ -203,12 +214,12 @@ def _arrived(plan: Plan, progress: Progress, estimate: Estimate, robot: int, spe
     """Whether the robot believes itself at the target; a pushed one is there when its hand is."""
     if plan.pushed[robot] == 1:
         mx, my, mw = progress.motion[robot, 0], progress.motion[robot, 1], progress.motion[robot, 2]
-        return spent > plan.every[robot] and mx == 0.0 and my == 0.0 and mw == 0.0
+        return bool(spent > plan.every[robot] and mx == 0.0 and my == 0.0 and mw == 0.0)
     dx = progress.goal[robot, 0] - estimate.pose[robot, 0]
     dy = progress.goal[robot, 1] - estimate.pose[robot, 1]
     turn = progress.goal[robot, 2] - estimate.pose[robot, 2]
     near = plan.distance[robot]
-    return dx * dx + dy * dy <= near * near and abs(turn) <= plan.angle[robot]
+    return bool(dx * dx + dy * dy <= near * near and abs(turn) <= plan.angle[robot])
 
 
 @kernel

@@ -38,7 +38,9 @@ class PositionLoop(NamedTuple):
 def build_position_loop(robots: Sequence[Robot], start: Array) -> PositionLoop:
     """The loops at rest; start (R, 3) is where the robots believe to stand."""
     axes = [(r.control.x, r.control.y, r.control.heading) for r in robots]
-    gains = [np.array([[getattr(pid, g) for pid in row] for row in axes]) for g in GAINS]
+    gains = [
+        np.array([[getattr(pid, g) for pid in row] for row in axes]).reshape(-1, 3) for g in GAINS
+    ]
     limits, braking = np.zeros((len(robots), 4)), np.zeros((len(robots), 2))
     for i, robot in enumerate(robots):
         most = robot.control.limits
@@ -48,14 +50,17 @@ def build_position_loop(robots: Sequence[Robot], start: Array) -> PositionLoop:
         else:
             limits[i, 1::2], braking[i] = pace, BRAKING * pace
         limits[i, ::2] = most.speed, most.turn_rate
+    kp, ki, kd = gains
     return PositionLoop(
-        *gains,
-        limits,
-        braking,
-        np.zeros_like(start),
-        start.copy(),
-        np.zeros_like(start),
-        np.zeros(len(robots), np.int64),
+        kp=kp,
+        ki=ki,
+        kd=kd,
+        limits=limits,
+        braking=braking,
+        sums=np.zeros_like(start),
+        last=start.copy(),
+        velocity=np.zeros_like(start),
+        saturated=np.zeros(len(robots), np.int64),
     )
 
 
@@ -138,7 +143,8 @@ def _rest(
     """
     feed = progress.motion[robot, k]
     rate = (estimate.pose[robot, k] - loop.last[robot, k]) / dt
-    return feed + loop.ki[robot, k] * loop.sums[robot, k] + loop.kd[robot, k] * (feed - rate)
+    damped = loop.kd[robot, k] * (feed - rate)
+    return float(feed + loop.ki[robot, k] * loop.sums[robot, k] + damped)
 
 
 @kernel

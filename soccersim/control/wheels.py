@@ -130,4 +130,4 @@ def pwm_for(table: Array, robot: int, wheel: int, speed: float) -> float:
             high = middle
     below, above = table[robot, wheel, low], table[robot, wheel, high]
     level = low + (size - below) / (above - below)
-    return level if speed > 0.0 else -level
+    return float(level if speed > 0.0 else -level)

@@ -10,6 +10,7 @@ from math import sqrt
 from typing import NamedTuple
 
 from soccersim.kernel import kernel
+from soccersim.spec.scenario import Scenario
 from soccersim.state import Truth
 
 GRAVITY = 9.81  # m/s2
@@ -23,12 +24,22 @@ class Rolling(NamedTuple):
     shell: float  # I / (m r2)
     friction: float  # coefficient while sliding
     deceleration: float  # m/s2 while rolling
+    row: int = -1  # of the ball in truth.body; the last one unless arms follow
+
+
+def build_ball(scenario: Scenario) -> Rolling:
+    """The ball of a scenario on its field."""
+    ball, field = scenario.ball, scenario.field
+    if ball is None:
+        return Rolling(0.0, 1.0, 0.0, 0.0)
+    row = len(scenario.robots)
+    return Rolling(ball.mass, ball.shell, field.ball_friction, field.ball_rolling, row)
 
 
 @kernel
 def roll_ball(ball: Rolling, truth: Truth, dt: float) -> None:
     """Leave the floor's push on the ball in truth.wrench and its new turning in truth.ball_roll."""
-    row = truth.body.shape[0] - 1
+    row = ball.row
     vx, vy = truth.body[row, 3], truth.body[row, 4]
     wx, wy = truth.ball_roll[0], truth.ball_roll[1]
     sx, sy = vx - wx, vy - wy

@@ -30,7 +30,7 @@ def wheel_count(robot: Robot) -> int:
 
 def build_drive(robots: Sequence[Robot], field: Field, seed: int) -> Drive:
     """The plant's arrays; what differs from the drawing is drawn from (seed, robot, wheel set)."""
-    shape = (len(robots), max(map(wheel_count, robots)))
+    shape = (len(robots), max([0, *map(wheel_count, robots)]))
     zeros = {
         name: np.zeros((*shape, *_tail(name)))
         for name in Drive._fields

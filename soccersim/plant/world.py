@@ -16,6 +16,7 @@ import pymunk
 from pymunk._chipmunk_cffi import ffi, lib
 
 from soccersim.kernel import kernel
+from soccersim.plant.linkage import add_arms
 from soccersim.spec.scenario import Scenario
 from soccersim.state import Array, Truth
 
@@ -84,6 +85,7 @@ class World:
         space.collision_bias = OVERLAP_LEFT
         self.space = space
         at = scenario.coordinates
+        robots: list[pymunk.Body] = []
         for row, player in enumerate(scenario.robots):
             model = player.model
             body = pymunk.Body(model.mass, model.yaw_inertia)
@@ -91,6 +93,8 @@ class World:
             body.position = x, y
             self._add_disc(body, model.radius, model.elasticity, sqrt(SHELL_FRICTION))
             truth.body[row, :3] = x, y, body.angle
+            robots.append(body)
+        self.ball, self.ball_row = None, len(robots)
         if scenario.ball:
             ball = scenario.ball
             body = pymunk.Body(ball.mass, ball.shell * ball.mass * ball.radius**2)
@@ -99,11 +103,22 @@ class World:
             # elasticities multiply: 1 leaves the bounce to what the ball meets; smooth, since
             # nothing here slows a ball that turns about the vertical
             self._add_disc(body, ball.radius, elasticity=1.0, friction=0.0)
-            truth.body[-1] = *body.position, 0.0, *body.velocity, 0.0
+            truth.body[len(robots)] = *body.position, 0.0, *body.velocity, 0.0
+            self.ball = body
+        add_arms(space, scenario, robots, truth)
         self._add_walls(scenario)
         self._keep: list[Any] = []
         self.chipmunk = self._connect(len(truth.body))
         weakref.finalize(self, _free, space)
+
+    def place_ball(self, truth: Truth, x: float, y: float, vx: float, vy: float) -> None:
+        """Put the ball somewhere with a velocity and no spin, field frame; between two ticks."""
+        if self.ball:
+            self.ball.position, self.ball.velocity = (x, y), (vx, vy)
+            self.ball.angle = self.ball.angular_velocity = 0.0
+            self.space.reindex_shapes_for_body(self.ball)
+            truth.body[self.ball_row] = x, y, 0.0, vx, vy, 0.0
+            truth.ball_roll[:] = 0.0
 
     def _add_disc(
         self, body: pymunk.Body, radius: float, elasticity: float, friction: float

@@ -29,13 +29,14 @@ class Log(NamedTuple):
     command: Array  # (N, R, 3)
     wheel_setpoint: Array  # (N, R, W)
     pwm: Whole  # (N, R, W)
+    joint: Array  # (N, A, 3)
     leg_ticks: Whole  # (R, L, 2) first and last tick; last -1: not ended
     leg_reached: Whole  # (R, L)
     leg_truth: Array  # (R, L, 3) true pose at the end; field frame
     leg_estimate: Array  # (R, L, 3) believed pose at the end
 
 
-def new_log(every: int, bodies: int, robots: int, wheels: int, legs: int) -> Log:
+def new_log(every: int, bodies: int, robots: int, wheels: int, legs: int, arms: int) -> Log:
     """An empty log."""
     per_wheel = (RECORDS, robots, wheels)
     z, whole = np.zeros, np.int64
@@ -58,6 +59,7 @@ def new_log(every: int, bodies: int, robots: int, wheels: int, legs: int) -> Log
         command=z((RECORDS, robots, 3)),
         wheel_setpoint=z(per_wheel),
         pwm=z(per_wheel, whole),
+        joint=z((RECORDS, arms, 3)),
         leg_ticks=ticks,
         leg_reached=z((robots, legs), whole),
         leg_truth=z((robots, legs, 3)),
@@ -84,6 +86,9 @@ def record(
     for body in range(truth.body.shape[0]):
         for k in range(6):
             log.body[n, body, k] = truth.body[body, k]
+    for arm in range(readings.joint.shape[0]):
+        for k in range(3):
+            log.joint[n, arm, k] = readings.joint[arm, k]
     for robot in range(leg.shape[0]):
         log.leg[n, robot] = leg[robot]
         log.gyro[n, robot] = readings.gyro[robot]

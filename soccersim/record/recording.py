@@ -22,14 +22,16 @@ Array = NDArray[Any]
 GROUPS = {
     "poses": ("tick", "body", "estimate", "reference", "leg"),
     "wheels": ("wheel_angle", "wheel_speed", "slip", "load"),
-    "sensors": ("counts", "gyro"),
+    "sensors": ("counts", "gyro", "joint"),
     "control": ("command", "wheel_setpoint", "pwm"),
 }
 
 
 @dataclass(frozen=True)
 class Recording:
-    """T records of R robots with up to W wheels, and B bodies: the robots, then the ball.
+    """T records of R robots with up to W wheels, A arms, and B bodies.
+
+    The bodies are the robots, then the ball, then each arm's three links.
 
     Field frame: origin at the centre spot, x along the length, y left; metres, radians,
     counter-clockwise. Body frame: x forward, y left. Wheels: the driven ones, then the dead
@@ -68,6 +70,21 @@ class Recording:
     def leg(self) -> Array:
         """(T, R) int64: number of the leg or phase each robot is on."""
         return self.arrays["leg"]
+
+    @property
+    def ball(self) -> Array | None:
+        """(T, 6): the ball's row of body; None where there is no ball."""
+        if self.scenario.ball is None:
+            return None
+        ball: Array = self.body[:, len(self.scenario.robots)]
+        return ball
+
+    @property
+    def links(self) -> Array:
+        """(T, A, 3, 6): the arms' links, each with the pose of its middle."""
+        arms = len(self.scenario.arms)
+        rows: Array = self.body[:, self.body.shape[1] - 3 * arms :]
+        return rows.reshape(len(rows), arms, 3, 6)
 
     @property
     def digest(self) -> str:

@@ -8,7 +8,7 @@ import pygame
 from soccersim.record.recording import Recording
 from soccersim.render import look
 from soccersim.render.lettering import Blit, Lettering
-from soccersim.spec.scenario import Player
+from soccersim.spec.player import Player
 
 
 class Grid(NamedTuple):
@@ -58,7 +58,7 @@ class Cells:
 
     def _lay_out(self, size: tuple[int, int]) -> list[pygame.Rect]:
         """The cells, row by row, in the middle of the band below the field."""
-        columns = min(self.grid.columns, len(self.players))
+        columns = max(1, min(self.grid.columns, len(self.players)))
         gap, band = GAP * self.scale, look.BAND * self.scale
         width = min((size[0] - 2 * EDGE * self.scale) / columns, WIDEST * self.scale)
         pitch = min((band - (CAPTION + 4) * self.scale) / self.grid.rows, TALLEST * self.scale)

@@ -6,11 +6,13 @@ import pygame
 
 from soccersim.record.recording import Recording
 from soccersim.render import look
+from soccersim.render.arms import draw_arms
 from soccersim.render.cells import leg_number
 from soccersim.render.lettering import Blit, Lettering
 from soccersim.render.pitch import View
 from soccersim.render.sprites import HUB, STEPS, Sprites, target_radius
-from soccersim.spec.scenario import Player, Scenario
+from soccersim.spec.player import Player
+from soccersim.spec.scenario import Scenario
 
 BALL_RADIUS = 0.11  # m; asked for where there is no ball, and never seen
 APART = 2.0  # px between truth and belief from which the ghost is shown
@@ -52,9 +54,10 @@ class Play:
                 pygame.draw.aaline(surface, look.BELIEVED, start, end)
                 ghosts.append(self._at("ghost", belief, self.looks[robot]))
         surface.fblits(self._robots(bodies), pygame.BLEND_PREMULTIPLIED)
-        if len(bodies) > len(self.players):
-            ghosts.append(self._at("ball", bodies[-1]))
+        if self.recording.scenario.ball:
+            ghosts.append(self._at("ball", bodies[len(self.players)]))
         surface.fblits(ghosts, pygame.BLEND_PREMULTIPLIED)
+        draw_arms(surface, self.view, self.recording, index)
 
     def _at(self, kind: str, pose: Pose, robot: int = 0) -> Blit:
         """A sprite and its corner, for a pose of its centre."""

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from soccersim.record import Recording
 from soccersim.spec.frame import Coordinates
-from soccersim.spec.scenario import Player
+from soccersim.spec.player import Player
 
 Array = NDArray[Any]
 SAME_PLACE = 1e-3  # m; targets as near as this are one place with one letter

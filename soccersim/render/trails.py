@@ -73,7 +73,7 @@ class Trails:
         players = recording.scenario.robots
         record_hz = recording.scenario.timing.record_hz
         self.stride = max(1, record_hz // SAMPLES_HZ)
-        seconds = min(max(BUDGET / len(players), SHORTEST), LONGEST)
+        seconds = min(max(BUDGET / max(1, len(players)), SHORTEST), LONGEST)
         self.pieces = round(seconds * record_hz / self.stride / PIECE)
         self.ways: list[Way] = []
         for robot, player in enumerate(players):

@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 
 from soccersim.spec.frame import Frame
 from soccersim.spec.load import load_scenario
-from soccersim.spec.scenario import Leg, Phase, Player, Scenario
+from soccersim.spec.player import Leg, Phase, Player
+from soccersim.spec.scenario import Scenario
 from soccersim.spec.sensors import Encoder
 
 Array = NDArray[np.float64]

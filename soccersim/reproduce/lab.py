@@ -1,14 +1,13 @@
 """Runs scenarios over many seeds for the reproductions, on all cores, with one progress bar."""
 
-import multiprocessing
 import os
 from collections.abc import Callable, Sequence
-from concurrent.futures import ProcessPoolExecutor
 from types import TracebackType
 from typing import Any, Self
 
 from soccersim.repeat import run_seed
 from soccersim.spec.load import load_scenario
+from soccersim.workers import Workers
 
 SEEDS = 200  # runs behind a median and its 5-95 % band
 
@@ -29,7 +28,7 @@ class Lab:
         self.seeds = range(seeds)
         self._jobs = jobs or os.cpu_count() or 1
         self._progress = progress
-        self._pool: ProcessPoolExecutor | None = None
+        self._workers: Workers | None = None
 
     def runs(self, scenario: str, settings: Sequence[str] = ()) -> list[dict[str, Any]]:
         """The short report (seed, digest, duration, robots) of every seed, in order."""
@@ -40,10 +39,9 @@ class Lab:
         """function over arguments, in order; function must be importable, its results small."""
         if self._jobs == 1:
             return [function(*row) for row in zip(*arguments, strict=True)]
-        if self._pool is None:
-            context = multiprocessing.get_context("spawn")
-            self._pool = ProcessPoolExecutor(self._jobs, mp_context=context)
-        return list(self._pool.map(function, *arguments, chunksize=8))
+        if self._workers is None:
+            self._workers = Workers(self._jobs).__enter__()
+        return list(self._workers.map(function, *arguments))
 
     def told(self, share: float) -> None:
         """Tell the progress bar how much of all is done."""
@@ -59,5 +57,5 @@ class Lab:
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
-        if self._pool:
-            self._pool.shutdown(cancel_futures=True)
+        if self._workers:
+            self._workers.__exit__(kind, error, trace)

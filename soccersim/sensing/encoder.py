@@ -94,7 +94,7 @@ def _counted(encoders: Encoders, robot: int, wheel: int, passed: float, draw: fl
     if chance > 0.0 and new != 0.0:
         missed = float(binomial(abs(new), chance, draw))
         encoders.lost[robot, wheel] += missed if new > 0.0 else -missed
-    return passed - encoders.lost[robot, wheel]
+    return float(passed - encoders.lost[robot, wheel])
 
 
 @kernel

@@ -51,6 +51,11 @@ class Coordinates:
         x, y, heading = written
         return x * self.metres, y * self.metres, heading * self.radians * self.turns
 
+    def local(self, written: Vector) -> Vector:
+        """A pose in a right-handed frame of its own, as an arm's: the units alone are turned."""
+        x, y, heading = written
+        return x * self.metres, y * self.metres, heading * self.radians
+
     def to_field(self, framed: Vector) -> Vector:
         """A framed pose on the field."""
         x, y, heading = framed

@@ -1,6 +1,7 @@
 """A scenario: everything one run needs, as its YAML file says it."""
 
 from functools import cached_property
+from itertools import pairwise
 from math import hypot
 from typing import Annotated, Literal
 
@@ -8,115 +9,27 @@ from pydantic import Field as Key
 from pydantic import model_validator
 
 from soccersim.spec import MAX_ROBOTS
-from soccersim.spec.base import Name, NonNegative, Number, Point, Pose, Positive, Rate, Spec
+from soccersim.spec.arm import Arm, unreachable
+from soccersim.spec.base import Name, NonNegative, Point, Rate, Spec
 from soccersim.spec.field import Field
 from soccersim.spec.frame import Coordinates, Frame, Units
 from soccersim.spec.places import misplaced
-from soccersim.spec.robot import FASTEST, MAX_WHEELS, Robot
+from soccersim.spec.player import Player
+from soccersim.spec.robot import FASTEST
 from soccersim.spec.validate import Fault
 
 MAX_RECORDING = 2**29  # bytes; while it is put together a run holds it twice
-Pwm = Annotated[int, Key(ge=-255, le=255)]
-Speeds = Annotated[tuple[Number, ...], Key(strict=False, min_length=3, max_length=MAX_WHEELS)]
 
 
-class Paper(Spec):
-    """What a paper printed for a leg, in the scenario's units; shown beside ours."""
+class Shot(Spec):
+    """The ball is taken, put somewhere, and set off again."""
 
-    source: str = ""
-    """Paper and table, or page."""
-    odometry: Pose | None = None
-    """Where the robot's sensors put it."""
-    truth: Annotated[tuple[Number, Number, Number | None], Key(strict=False)] | None = None
-    """Where it was measured; null for a heading that was not."""
-    time: Positive | None = None
-    """Seconds."""
-
-
-class Leg(Spec):
-    """A move to one target."""
-
-    to: Pose
-    """x, y, heading."""
-    turn: Literal["shortest", "as_written"] = "shortest"
-    """as_written: 0 to 270 degrees turns by 270, not by -90."""
-    timeout: Positive | None = None
-    """Seconds; null: as the robot's `arrival` says."""
-    paper: Paper | None = None
-
-
-class Phase(Spec):
-    """A stretch of open-loop driving: one of the three, held for a while."""
-
-    seconds: Positive
-    pwm: (
-        Annotated[tuple[Pwm, ...], Key(strict=False, min_length=3, max_length=MAX_WHEELS)] | None
-    ) = None
-    """-255..255, one a driven wheel."""
-    wheel_speeds: Speeds | None = None
-    """rad/s, one a driven wheel."""
-    twist: Pose | None = None
-    """vx, vy, omega in the robot's body frame: m/s and rad/s."""
-
-    @model_validator(mode="after")
-    def _one_of_three(self) -> "Phase":
-        if sum(v is not None for v in (self.pwm, self.wheel_speeds, self.twist)) != 1:
-            raise ValueError("needs exactly one of pwm, wheel_speeds, twist")
-        return self
-
-
-class Hand(Spec):
-    """A hand that pushes the robot along its path while the motors are idle (Idris, Table 6)."""
-
-    speed: Positive = 0.2
-    """m/s (estimate)."""
-    acceleration: Positive = 0.5
-    """m/s2 (estimate)."""
-    turn_rate: Positive = 1.5
-    """rad/s (estimate)."""
-    settle: NonNegative = 0.6
-    """Seconds it holds the robot on each mark before the reading is taken (estimate)."""
-
-
-class Player(Spec):
-    """One robot in the scenario: which model, where it starts, what it does."""
-
-    name: Name
-    team: Literal["home", "away"] = "home"
-    number: Annotated[int, Key(ge=0, le=99)] = 1
-    model: Robot
-    """A bundled model by name, a file, or the model itself."""
-    start: Pose
-    """x, y, heading."""
-    path: Annotated[tuple[Leg, ...], Key(strict=False, min_length=1, max_length=1000)] | None = None
-    """Targets, one after the other."""
-    repeat: bool = False
-    """Whether the path starts again at its end, until the time is up."""
-    open_loop: (
-        Annotated[tuple[Phase, ...], Key(strict=False, min_length=1, max_length=1000)] | None
-    ) = None
-    """Driving without feedback of position."""
-    pushed_by: Hand | None = None
-    """The path is not driven but pushed by a hand, with the motors idle."""
-
-    @model_validator(mode="after")
-    def _one_plan(self) -> "Player":
-        if self.path and self.open_loop:
-            raise Fault("has a `path` too: keep one of them", at=("open_loop",))
-        if not self.path:
-            for key in ("pushed_by", "repeat"):
-                if getattr(self, key):
-                    raise Fault("needs a `path`", at=(key,))
-        wheels = len(self.model.drive.azimuth_deg)
-        faults = [
-            Fault(f"needs {wheels} entries, one a driven wheel", at=("open_loop", i, key))
-            for i, phase in enumerate(self.open_loop or ())
-            for key in ("pwm", "wheel_speeds")
-            if len(getattr(phase, key) or range(wheels)) != wheels
-        ]
-        if faults:
-            raise Fault.many(faults)
-        return self
+    time: NonNegative
+    """Seconds from the start."""
+    at: Point
+    """Where it is put."""
+    velocity: Point
+    """In the scenario's length unit per second, without spin."""
 
 
 class Ball(Spec):
@@ -132,6 +45,15 @@ class Ball(Spec):
     """m."""
     shell: Annotated[float, Key(ge=0.01, le=1)] = 2 / 3
     """Moment of inertia over m r2: 2/3 hollow, 2/5 solid."""
+    shots: Annotated[tuple[Shot, ...], Key(strict=False, max_length=1000)] = ()
+    """Later starts of the ball, in order of time: one shot after the other."""
+
+    @model_validator(mode="after")
+    def _one_after_the_other(self) -> "Ball":
+        for i, (first, then) in enumerate(pairwise(self.shots)):
+            if then.time <= first.time:
+                raise Fault("must be later than the shot before", at=("shots", i + 1, "time"))
+        return self
 
 
 class Timing(Spec):
@@ -179,7 +101,9 @@ class Scenario(Spec):
     field: Field
     """A bundled field by name, a file, or the field itself."""
     ball: Ball | None = None
-    robots: Annotated[tuple[Player, ...], Key(strict=False, min_length=1, max_length=MAX_ROBOTS)]
+    robots: Annotated[tuple[Player, ...], Key(strict=False, max_length=MAX_ROBOTS)] = ()
+    arms: Annotated[tuple[Arm, ...], Key(strict=False, max_length=MAX_ROBOTS)] = ()
+    """Planar arms, on the floor or on robots."""
     record: Annotated[tuple[Literal["wheels", "sensors", "control"], ...], Key(strict=False)] = (
         "wheels",
         "sensors",
@@ -203,7 +127,10 @@ class Scenario(Spec):
 
     @model_validator(mode="after")
     def _fits(self) -> "Scenario":
+        if not self.robots and not self.arms:
+            raise Fault("needs a robot or an arm", at=("robots",))
         faults = [*self._rates(), *self._names(), *self._speeds(), *self._size(), *misplaced(self)]
+        faults += [*unreachable(self)]
         if faults:
             raise Fault.many(faults)
         return self
@@ -237,15 +164,26 @@ class Scenario(Spec):
         """No ball so fast that it passes through a net."""
         if self.ball is None:
             return []
-        speed = hypot(*self.coordinates.field_vector(*self.ball.velocity))
-        wrong = f"the ball moves at {speed:.4g} m/s: at most {FASTEST:.0f}"
-        return [Fault(wrong, at=("ball", "velocity"))] if speed > FASTEST else []
+        starts = [(("ball", "velocity"), self.ball.velocity)] + [
+            (("ball", "shots", i, "velocity"), shot.velocity)
+            for i, shot in enumerate(self.ball.shots)
+        ]
+        speeds = [(at, hypot(*self.coordinates.field_vector(*v))) for at, v in starts]
+        return [
+            Fault(f"the ball moves at {speed:.4g} m/s: at most {FASTEST:.0f}", at=at)
+            for at, speed in speeds
+            if speed > FASTEST
+        ]
 
     def _size(self) -> list[Fault]:
         """No recording that the memory cannot hold."""
         robots = len(self.robots)
-        wheels = max(robot.model.wheel_count for robot in self.robots)
-        numbers = 6 * (robots + 1) + robots * (7 + 4 * ("wheels" in self.record) * wheels)
+        wheels = max([0, *(robot.model.wheel_count for robot in self.robots)])
+        numbers = (
+            6 * (robots + 1 + 3 * len(self.arms))
+            + 6 * len(self.arms)
+            + robots * (7 + 4 * ("wheels" in self.record) * wheels)
+        )
         numbers += robots * (1 + wheels) * ("sensors" in self.record)
         numbers += robots * (3 + 2 * wheels) * ("control" in self.record)
         size = 8 * numbers * self.duration * self.timing.record_hz

@@ -21,8 +21,9 @@ from soccersim.simulation import Simulation
 from soccersim.spec.control import Arrival, Control, Limits, Pi, Pid
 from soccersim.spec.frame import Units
 from soccersim.spec.motor import PWM_MAX, table_speeds
+from soccersim.spec.player import Leg, Phase, Player
 from soccersim.spec.robot import Robot
-from soccersim.spec.scenario import Leg, Phase, Player, Scenario, Timing
+from soccersim.spec.scenario import Scenario, Timing
 from soccersim.state import Array, Estimate, Readings
 
 MOVES = {"x": 0.5, "y": 0.5, "heading": pi / 4}  # m and rad: what gains are compared by

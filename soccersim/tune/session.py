@@ -25,8 +25,9 @@ from soccersim.control.tuning import (
     ultimate_of,
 )
 from soccersim.spec.control import Pid
+from soccersim.spec.player import Player
 from soccersim.spec.robot import Robot
-from soccersim.spec.scenario import Player, Scenario
+from soccersim.spec.scenario import Scenario
 from soccersim.tune.rig import Answer, AxisLoop, Loop, Rig, WheelLoop
 
 WATCHED = 6.0  # s of a move by which gains are compared

@@ -14,8 +14,8 @@ from soccersim.render.hud import clock
 from soccersim.render.pitch import View
 from soccersim.render.sprites import paint_robot
 from soccersim.spec.field import Field
+from soccersim.spec.player import Player
 from soccersim.spec.robot import Robot
-from soccersim.spec.scenario import Player
 
 FIELDS = ("krsbi-2017", "krsbi", "msl")
 
