@@ -72,7 +72,7 @@ def cache_folder() -> Path | None:
 
 
 def will_compile() -> bool:
-    """Whether the next simulation has to compile first: the loop, compiled last, is not kept yet."""
+    """Whether the next simulation has to compile first: the loop, compiled last, is not kept."""
     if not COMPILED:
         return False
     folder = cache_folder()

@@ -97,7 +97,7 @@ def test_replaying_the_scale_and_rotation_of_each_leg_gives_the_measured_points(
     assert models.replay(sensor, scale, rotation) == pytest.approx(measured, abs=1e-9)
 
 
-def test_the_rounded_scales_and_rotations_of_the_legs_as_shown_give_the_measured_points_within_1_mm():
+def test_the_scales_and_rotations_of_the_legs_as_shown_give_the_measured_points_within_1_mm():
     for run in RUNS:
         sensor, measured = points(run, "sensor"), points(run, "measured")
         scale, rotation = models.leg_errors(sensor, measured)
