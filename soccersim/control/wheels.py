@@ -112,7 +112,8 @@ def _wheel_pi(loop: WheelLoop, readings: Readings, command: Command, robot: int,
         if inside or error * level < 0.0:
             loop.sums[robot, wheel] += loop.ki[robot] * error * dt
         level = min(max(level, -float(PWM_MAX)), float(PWM_MAX))
-        command.pwm[robot, wheel] = floor(level + 0.5)
+        # no PWM comes of what is no number: as an index it would lead anywhere
+        command.pwm[robot, wheel] = floor(level + 0.5) if level == level else 0
 
 
 @kernel

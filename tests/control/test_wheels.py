@@ -101,6 +101,11 @@ def test_pwm_is_whole_and_within_255():
     assert abs(pwm).max() == PWM_MAX
 
 
+def test_a_twist_that_is_no_number_idles_the_wheels():
+    for twist in ((np.nan, 0, 0), (0, 0, np.nan), (np.inf, 0, 0)):
+        assert (Wheels(robot()).step(twist) == 0).all()
+
+
 def test_without_encoders_the_table_alone_speaks():
     wheels = Wheels(robot(control=TABLE_ALONE))
     first = wheels.step((0.5, 0.2, 1.0), speeds=0.0)

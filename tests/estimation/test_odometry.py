@@ -103,6 +103,14 @@ def test_rolling_wheels_tell_the_displacement(moved, heading, dead):
 
 
 @pytest.mark.parametrize("heading", ["gyro", "wheels"])
+def test_wheels_that_stand_anyhow_tell_the_displacement(heading):
+    """Where the levers differ, a turn on the spot looks like a move unless it is taken off."""
+    crooked = {"azimuth_deg": [20, 150, 270], "distance": [0.1, 0.19, 0.3], "radius": 0.04}
+    pose = Reckoner(robot(drive=crooked, odometry={"heading": heading})).roll(0.3, -0.2, 0.1)
+    assert pose == pytest.approx(after((0.3, -0.2, 0.1), 1, 1.0))
+
+
+@pytest.mark.parametrize("heading", ["gyro", "wheels"])
 def test_mecanum_wheels_tell_the_displacement(heading):
     mecanum = {
         "azimuth_deg": [40, 140, 220, 320],
