@@ -8,7 +8,8 @@ import numpy as np
 from soccersim.control.profile import profile_at
 from soccersim.geometry import wrap_angle
 from soccersim.kernel import kernel
-from soccersim.spec.scenario import Leg, Player, Scenario
+from soccersim.spec.player import Leg, Player
+from soccersim.spec.scenario import Scenario
 from soccersim.state import Array, Command, Estimate, Whole
 
 TARGET, PWM, WHEEL_SPEEDS, TWIST = 0, 1, 2, 3  # kinds of leg
@@ -51,21 +52,21 @@ def build_plan(scenario: Scenario, wheels: int) -> Plan:
     """The plan of every robot, in SI on the field."""
     robots = scenario.robots
     steps = max([1, *(len(p.path or p.open_loop or ()) for p in robots)])
-    n, z, whole = len(robots), np.zeros, np.int64
+    n, whole = len(robots), np.int64
     plan = Plan(
-        every=z(n, whole),
-        legs=z(n, whole),
-        repeat=z(n, whole),
-        kind=z((n, steps), whole),
-        value=z((n, steps, max(3, wheels))),
-        as_written=z((n, steps), whole),
-        ticks=z((n, steps), whole),
-        profiled=z(n, whole),
-        pushed=z(n, whole),
-        distance=z(n),
-        angle=z(n),
-        dwell=z(n, whole),
-        limits=z((n, 4)),
+        every=np.zeros(n, whole),
+        legs=np.zeros(n, whole),
+        repeat=np.zeros(n, whole),
+        kind=np.zeros((n, steps), whole),
+        value=np.zeros((n, steps, max(3, wheels))),
+        as_written=np.zeros((n, steps), whole),
+        ticks=np.zeros((n, steps), whole),
+        profiled=np.zeros(n, whole),
+        pushed=np.zeros(n, whole),
+        distance=np.zeros(n),
+        angle=np.zeros(n),
+        dwell=np.zeros(n, whole),
+        limits=np.ones((n, 4)),
     )
     for i, player in enumerate(robots):
         control = player.model.control
@@ -115,22 +116,19 @@ def _limits(player: Player) -> tuple[float, float, float, float]:
 
 def new_progress(start: Array) -> Progress:
     """Nobody has begun; start (R, 3) is where the robots stand."""
-    count, z, whole = len(start), np.zeros, np.int64
-    progress = Progress(
-        leg=z(count, whole),
-        since=z(count, whole),
-        within=z(count, whole),
-        ended=z(count, whole),
-        ended_leg=z(count, whole),
-        ended_reached=z(count, whole),
-        start=z((count, 3)),
+    count, whole = len(start), np.int64
+    return Progress(
+        leg=np.zeros(count, whole),
+        since=np.full(count, -1, whole),
+        within=np.full(count, -1, whole),
+        ended=np.zeros(count, whole),
+        ended_leg=np.zeros(count, whole),
+        ended_reached=np.zeros(count, whole),
+        start=np.zeros_like(start),
         goal=start.copy(),
         written=start[:, 2].copy(),
-        motion=z((count, 3)),
+        motion=np.zeros_like(start),
     )
-    progress.since[:] = -1
-    progress.within[:] = -1
-    return progress
 
 
 @kernel
@@ -157,13 +155,11 @@ def follow(
 
 @kernel
 def finished(plan: Plan, progress: Progress) -> bool:
-    """Whether every robot that has a plan is through with it; never so where none has one."""
-    planned = 0
-    for robot in range(plan.every.shape[0]):
+    """Whether every robot that has a plan is through with it."""
+    for robot in range(plan.every.shape[0]):  # noqa: SIM110 (numba)
         if progress.leg[robot] < plan.legs[robot]:
             return False
-        planned += plan.legs[robot]
-    return planned > 0
+    return True
 
 
 @kernel

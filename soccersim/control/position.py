@@ -38,7 +38,9 @@ class PositionLoop(NamedTuple):
 def build_position_loop(robots: Sequence[Robot], start: Array) -> PositionLoop:
     """The loops at rest; start (R, 3) is where the robots believe to stand."""
     axes = [(r.control.x, r.control.y, r.control.heading) for r in robots]
-    gains = [np.array([[getattr(pid, g) for pid in row] for row in axes]) for g in GAINS]
+    gains = [
+        np.array([[getattr(pid, g) for pid in row] for row in axes]).reshape(-1, 3) for g in GAINS
+    ]
     limits, braking = np.zeros((len(robots), 4)), np.zeros((len(robots), 2))
     for i, robot in enumerate(robots):
         most = robot.control.limits
@@ -141,8 +143,8 @@ def _rest(
     """
     feed = progress.motion[robot, k]
     rate = (estimate.pose[robot, k] - loop.last[robot, k]) / dt
-    summed, damped = loop.ki[robot, k] * loop.sums[robot, k], loop.kd[robot, k] * (feed - rate)
-    return float(feed + summed + damped)
+    damped = loop.kd[robot, k] * (feed - rate)
+    return float(feed + loop.ki[robot, k] * loop.sums[robot, k] + damped)
 
 
 @kernel
