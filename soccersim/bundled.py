@@ -1,10 +1,9 @@
 """What comes with soccersim: scenarios, robots, fields, strategies and the papers' tables."""
 
 from difflib import get_close_matches
-from os import fspath
 from pathlib import Path
 
-from soccersim.problems import InputError, Problem
+from soccersim.problems import InputError, Problem, one_line
 
 PLACES = {
     "scenario": ("scenarios", ".yaml"),
@@ -47,4 +46,4 @@ def find(kind: str, source: str, beside: Path | None = None) -> Path:
     hint = f"did you mean `{near[0]}`?" if near else f"there are {', '.join(names(kind))}"
     if source and ((beside or Path()) / f"{source}{suffix}").is_file():
         hint = f"for the file here write `./{source}{suffix}`"
-    raise InputError(Problem(f"no {kind} `{fspath(source)[:80]}` is bundled: {hint}"))
+    raise InputError(Problem(f"no {kind} `{one_line(source)}` is bundled: {hint}"))

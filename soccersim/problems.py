@@ -4,6 +4,16 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
+LONGEST = 60  # characters of a user's text quoted in a message
+
+
+def one_line(text: str, limit: int = LONGEST) -> str:
+    """A user's text without line breaks or control characters, cut to about limit characters."""
+    cut = text if len(text) <= limit else text[: limit - 3] + "..."
+    if cut.isprintable():
+        return cut
+    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in cut)
+
 
 @dataclass(frozen=True)
 class Problem:

@@ -7,11 +7,13 @@ from importlib import import_module
 import click
 
 from soccersim import __version__
-from soccersim.problems import InputError, MachineError, RunError, Stopped
+from soccersim.problems import InputError, MachineError, RunError, Stopped, one_line
 
 VERBS = {  # verb: what it does; its command stands in cli/verb.py
     "list": "What comes with soccersim: scenarios, strategies, robots, fields.",
     "run": "Run a scenario: table, report, plot, frames, video.",
+    "reproduce": "Every table of the papers beside ours.",
+    "tune": "Ziegler-Nichols gains from a simulated experiment.",
     "bench": "Measure this machine's speed, beside the floor.",
     "schema": "Print the JSON Schema of scenario files, for editors.",
 }
@@ -41,7 +43,7 @@ class Verbs(click.Group):
 
             near = get_close_matches(args[0], VERBS, n=1)
             hint = f"did you mean `{near[0]}`?" if near else f"there are {', '.join(VERBS)}"
-            raise click.UsageError(f"no command `{args[0][:60]}`: {hint}", ctx)
+            raise click.UsageError(f"no command `{one_line(args[0])}`: {hint}", ctx)
         return super().resolve_command(ctx, args)
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:

@@ -6,8 +6,9 @@ from typing import Any
 
 from pydantic_core import ErrorDetails
 
+from soccersim.problems import one_line
 from soccersim.spec.annotations import keys, lengths, literals
-from soccersim.spec.wording import instead_of, listed, near, one_line, show
+from soccersim.spec.wording import instead_of, listed, near, show
 
 LONGEST = 300  # characters of a message that is not ours
 

@@ -6,7 +6,7 @@ Stricter in what cannot be used here: infinite numbers, integers beyond 64 bits,
 import re
 from math import isinf
 
-from soccersim.spec.wording import one_line
+from soccersim.problems import one_line
 
 MAX_INTEGER = 2**63 - 1  # what an array of integers can hold
 MAX_DIGITS = 66  # more than enough for it in any base

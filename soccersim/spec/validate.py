@@ -12,10 +12,10 @@ from typing import Any, NamedTuple, TypeVar
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
-from soccersim.problems import InputError, Problem
+from soccersim.problems import InputError, Problem, one_line
 from soccersim.spec.annotations import entries, is_tag
 from soccersim.spec.complaints import is_short, words
-from soccersim.spec.wording import dotted, one_line
+from soccersim.spec.wording import dotted
 from soccersim.spec.yaml12 import Mark, Path, Tree
 
 M = TypeVar("M", bound=BaseModel)

@@ -5,8 +5,9 @@ from collections.abc import Iterable
 
 import yaml
 
-LONGEST = 60  # characters of a user's text quoted in a message
-MAX_CHOICES = 12  # more are not listed
+from soccersim.problems import LONGEST, one_line
+
+MAX_CHOICES = 16  # more are not listed
 MAX_COMPARED = 200  # nor are more compared with a misspelt key
 
 NO_ALIAS = "anchors (&) and aliases (*) are not allowed: write the value out, or quote the text"
@@ -40,14 +41,6 @@ RETOLD = (
     (r"node content, but found '<", "this may not stand here: a value is needed", False),
     (r"node content, but found '(.)'", r"a value is missing before `\1`", False),
 )
-
-
-def one_line(text: str, limit: int = LONGEST) -> str:
-    """A user's text without line breaks or control characters, cut to about limit characters."""
-    cut = text if len(text) <= limit else text[: limit - 3] + "..."
-    if cut.isprintable():
-        return cut
-    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in cut)
 
 
 def show(value: object) -> str:

@@ -15,9 +15,9 @@ from typing import Any, NamedTuple, NoReturn, TypeAlias
 
 import yaml
 
-from soccersim.problems import InputError, Problem
+from soccersim.problems import InputError, Problem, one_line
 from soccersim.spec import core_schema
-from soccersim.spec.wording import NO_ALIAS, NO_TAG, dotted, instead_of, one_line, retold, show
+from soccersim.spec.wording import NO_ALIAS, NO_TAG, dotted, instead_of, retold, show
 
 MAX_BYTES = 96 * 1024  # PyYAML's scanner, itself Python, takes up to 2 us a byte ...
 MAX_NODES = 12_000  # ... and 25 us a key or value; 22 robots written out are some 5 000

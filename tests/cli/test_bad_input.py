@@ -50,9 +50,8 @@ FAULTS = {  # what is wrong: the change of two.yaml, what is said
     ),
     "another version": (("version: 1", "version: 2"), "1:10: version: must be `1`, not 2"),
     "a key unlike any": (
-        ("ball:", "x: 1\nball:"),
-        "5:1: x: unknown key; known: `version`, `name`, `about`, `units`, `frame`, `seed`, "
-        "`duration`, `timing`, `field`, `ball`, `robots`, `record`",
+        ("ball:", "frame: {x: 1}\nball:"),
+        "5:9: frame.x: unknown key; known: `origin`, `rotation_deg`, `mirror_y`, `heading`",
     ),
     "two robots in one place": (
         ("[-2, 0, 0]", "[0.1, 0, 0]"),
@@ -283,4 +282,4 @@ def test_names_are_looked_up_and_what_has_a_suffix_is_a_path(soccersim, scenario
         soccersim("run", "defender.yaml"),
         "defender.yaml: cannot be read: No such file or directory",
     )
-    assert "there are defender, " in soccersim("run", "").err
+    assert "no scenario `` is bundled: there are " in soccersim("run", "").err

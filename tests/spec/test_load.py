@@ -71,6 +71,13 @@ def test_a_path_in_a_file_counts_from_the_file_and_one_in_a_setting_from_here(
     assert load_scenario("linear", settings=[setting]).robots[0].model.mass == 1
 
 
+def test_a_name_of_odd_characters_is_told_in_one_line():
+    with pytest.raises(InputError) as caught:
+        load_scenario("\x1f\n" + "x" * 99)
+    assert str(caught.value).startswith("no scenario `\\x1f\\nxxx")
+    assert str(caught.value).isprintable()
+
+
 def test_all_that_is_bundled_is_found_by_its_name():
     assert {kind for kind in PLACES if names(kind)} >= {"scenario", "robot", "field"}
     for kind in PLACES:
