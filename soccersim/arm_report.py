@@ -5,7 +5,6 @@ from typing import Any
 
 import numpy as np
 
-from soccersim.plant.arm import base_pose
 from soccersim.record import Recording
 from soccersim.spec.arm import Arm
 from soccersim.spec.scenario import Scenario
@@ -47,7 +46,7 @@ def tip_from_base(
     """The tip's pose seen from the first joint; link is the last link's middle on the field."""
     half = arm.lengths[-1] / 2
     tip = complex(link[0] + half * cos(link[2]), link[1] + half * sin(link[2]))
-    x, y, heading = base_pose(scenario, arm)
+    x, y, heading = arm.base_pose(scenario.coordinates)
     base = complex(x, y)
     if arm.on:
         base = complex(*carrier[:2]) + base * complex(cos(carrier[2]), sin(carrier[2]))

@@ -78,15 +78,18 @@ def _note(limbs: Limbs, truth: Truth, readings: Readings, tick: int) -> None:
                 limbs.end_base[arm, goal, k] = truth.body[carrier, k]
 
 
-def ends(limbs: Limbs, arm: int) -> list[dict[str, Any]]:
-    """For the meta data of a recording: the goals whose holds ended, field frame, SI."""
+def ends(limbs: Limbs) -> list[list[dict[str, Any]]]:
+    """For the meta data of a recording: each arm's goals whose holds ended, field frame, SI."""
     return [
-        {
-            "end_tick": int(limbs.end_tick[arm, k]),
-            "tip_link": limbs.end_tip[arm, k].tolist(),
-            "carrier": limbs.end_base[arm, k].tolist(),
-            "joints": limbs.end_joint[arm, k].tolist(),
-        }
-        for k in range(int(limbs.plan.goals[arm]))
-        if limbs.end_tick[arm, k] >= 0
+        [
+            {
+                "end_tick": int(limbs.end_tick[arm, k]),
+                "tip_link": limbs.end_tip[arm, k].tolist(),
+                "carrier": limbs.end_base[arm, k].tolist(),
+                "joints": limbs.end_joint[arm, k].tolist(),
+            }
+            for k in range(int(limbs.plan.goals[arm]))
+            if limbs.end_tick[arm, k] >= 0
+        ]
+        for arm in range(len(limbs.plan.goals))
     ]

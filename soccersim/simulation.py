@@ -118,15 +118,14 @@ def run_ticks(m: Machine, tick: int, end: int, dt: float) -> int:
 def _all_through(m: Machine) -> bool:
     """Whether all plans have come to their end."""
     return (
-        not m.endless and finished(m.plan, m.progress) and through(m.limbs.plan, m.limbs.progress)
+        finished(m.plan, m.progress) and through(m.limbs.plan, m.limbs.progress) and not m.endless
     )
 
 
 class Simulation:
-    """One run of a scenario.
+    """One run of a scenario: `run()` does it all.
 
-    `run()` does it all; `advance(ticks)` goes on step by step, with the state in `machine` free to
-    be looked at between.
+    `advance(ticks)` goes on in steps, with the state in `machine` free to be looked at between.
     """
 
     def __init__(self, scenario: Scenario) -> None:
@@ -229,7 +228,7 @@ class Simulation:
                 "ticks": self.tick,
                 "platform": fingerprint(),
                 "legs": [self._legs(robot) for robot in range(len(self.scenario.robots))],
-                "arms": [ends(self.machine.limbs, arm) for arm in range(len(self.scenario.arms))],
+                "arms": ends(self.machine.limbs),
             },
             arrays,
         )

@@ -9,7 +9,8 @@ import pytest
 PACKAGE = Path(__file__).parents[1] / "soccersim"
 FOUNDATION = {"problems", "kernel", "geometry", "streams", "kinematics", "spec", "state"}
 PARTS = {"plant", "sensing", "estimation", "control"}
-ALL = FOUNDATION | PARTS | {"bundled", "record", "simulation", "report", "workers", "repeat"}
+ARMS = {"limbs", "arm_report"}
+ALL = FOUNDATION | PARTS | ARMS | {"bundled", "record", "simulation", "report", "workers", "repeat"}
 MAY_IMPORT = {  # part: what it may import besides itself and the name and version on top
     "problems": set(),
     "workers": set(),
@@ -24,8 +25,10 @@ MAY_IMPORT = {  # part: what it may import besides itself and the name and versi
     "record": {"problems", "kernel", "spec", "state"},
     # recordings are its world; of state it takes the names of types
     "render": {"problems", "kinematics", "spec", "record", "bundled", "state"},
-    "report": {"record", "spec"},
-    "simulation": FOUNDATION | PARTS | {"record"},
+    "arm_report": {"record", "spec"},
+    "report": {"record", "spec", "arm_report"},
+    "limbs": FOUNDATION | PARTS,
+    "simulation": FOUNDATION | PARTS | {"record", "limbs"},
     "repeat": {"record", "report", "simulation", "spec", "workers"},
     "bench": ALL | {"render"},
     "reproduce": ALL | {"render"},

@@ -37,7 +37,8 @@ def test_the_shapes_are_those_of_records_bodies_robots_and_wheels(recording):
     records, robots, wheels = 50, 3, 6
     shapes = {
         "tick": (),
-        "body": (robots + 1, 6),
+        "body": (robots + 1 + 2 * 3, 6),  # the ball and two arms of three links
+        "joint": (2, 3),
         "estimate": (robots, 3),
         "reference": (robots, 3),
         "leg": (robots,),

@@ -9,7 +9,7 @@ from soccersim import Recording, Simulation, load_scenario
 from soccersim.bundled import names
 from soccersim.report import bands, report
 
-KEYS = {"scenario", "seed", "digest", "duration", "frame", "robots"}
+KEYS = {"scenario", "seed", "digest", "duration", "frame", "robots", "arms", "shots"}
 LEG = {
     *("target", "odometry", "truth", "odometry_error", "truth_error", "drift"),
     *("odometry_heading_error", "truth_heading_error", "heading_drift", "time", "reached", "paper"),

@@ -5,7 +5,6 @@ its heading is the direction it points to.
 """
 
 from collections.abc import Sequence
-from math import radians
 from typing import NamedTuple
 
 import numpy as np
@@ -38,7 +37,7 @@ def build_arms(scenario: Scenario) -> Arms:
     built = Arms(
         np.arange(count, dtype=np.int64) * LINKS + first_row,
         np.array([names.index(arm.on) if arm.on else -1 for arm in arms], np.int64),
-        np.array([base_pose(scenario, arm) for arm in arms]).reshape(count, 3),
+        np.array([arm.base_pose(scenario.coordinates) for arm in arms]).reshape(count, 3),
         np.array([arm.lengths for arm in arms], float).reshape(count, LINKS),
         np.array([[arm.joint.friction * i for i in carried(arm)] for arm in arms], float).reshape(
             count, LINKS
@@ -46,13 +45,6 @@ def build_arms(scenario: Scenario) -> Arms:
         np.array([arm.joint.torque for arm in arms], float),
     )
     return built
-
-
-def base_pose(scenario: Scenario, arm: Arm) -> tuple[float, float, float]:
-    """The first joint: in the carrier's body frame, or on the field."""
-    if arm.on:
-        return arm.base[0], arm.base[1], radians(arm.base[2])
-    return scenario.coordinates.field_pose(arm.base)
 
 
 def link_masses(arm: Arm) -> tuple[float, ...]:

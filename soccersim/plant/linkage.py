@@ -6,7 +6,7 @@ from math import radians
 import pymunk
 
 from soccersim.geometry import rotate
-from soccersim.plant.arm import base_pose, link_masses, link_poses
+from soccersim.plant.arm import link_masses, link_poses
 from soccersim.spec.arm import Arm
 from soccersim.spec.scenario import Scenario
 from soccersim.state import Truth
@@ -44,7 +44,7 @@ def add_arms(
 
 def base_on_field(scenario: Scenario, arm: Arm, carrier: pymunk.Body) -> tuple[float, float, float]:
     """Where the first joint and its zero are on the field."""
-    x, y, heading = base_pose(scenario, arm)
+    x, y, heading = arm.base_pose(scenario.coordinates)
     if not arm.on:
         return x, y, heading
     dx, dy = rotate(x, y, carrier.angle)  # body to field

@@ -1,6 +1,7 @@
 """A planar arm of three links on motorised joints: on a fixed base, or carried by a robot."""
 
 from collections.abc import Iterator
+from math import radians
 from typing import TYPE_CHECKING, Annotated, Literal
 
 from pydantic import Field as Key
@@ -8,12 +9,14 @@ from pydantic import model_validator
 
 from soccersim.kinematics import PlanarArm
 from soccersim.spec.base import Name, NonNegative, Number, Pose, Positive, Share, Spec
+from soccersim.spec.frame import Coordinates
 from soccersim.spec.validate import Fault
 
 if TYPE_CHECKING:
     from soccersim.spec.scenario import Scenario
 
-Three = Annotated[tuple[Positive, Positive, Positive], Key(strict=False)]
+Length = Annotated[float, Key(ge=0.01, le=10)]
+Three = Annotated[tuple[Length, Length, Length], Key(strict=False)]
 Angles = Annotated[tuple[Number, Number, Number], Key(strict=False)]
 
 
@@ -87,9 +90,9 @@ class Arm(Spec):
     on the floor, in the scenario's units and frame."""
     start_deg: Angles = (0.0, 0.0, 0.0)
     """Joint angles at the start."""
-    mass_per_length: Positive = 1.0
+    mass_per_length: Annotated[float, Key(ge=0.001, le=1000)] = 1.0
     """kg/m of each link (estimate)."""
-    thickness: Positive = 0.03
+    thickness: Annotated[float, Key(ge=0.001, le=1)] = 0.03
     """m."""
     elasticity: Share = 0.2
     """Of the ball's bounce off a link (estimate)."""
@@ -103,6 +106,12 @@ class Arm(Spec):
     def kinematics(self) -> PlanarArm:
         """The arm in metres and radians."""
         return PlanarArm(self.lengths)
+
+    def base_pose(self, at: Coordinates) -> tuple[float, float, float]:
+        """The first joint, SI: in the carrier's body frame, or on the field."""
+        if self.on:
+            return self.base[0], self.base[1], radians(self.base[2])
+        return at.field_pose(self.base)
 
     @model_validator(mode="after")
     def _one_task(self) -> "Arm":
