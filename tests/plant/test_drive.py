@@ -108,6 +108,16 @@ def test_a_coasting_robot_rolls_on_and_a_braking_one_stops(at_zero, rolled):
     assert abs(rig.body[0, 3]) < (1.0 if at_zero == "coast" else 1e-3)
 
 
+def test_a_braked_robot_comes_to_rest_for_good():
+    """Not to ever smaller numbers, over which the processor would brood."""
+    rig = Rig(kiwi())
+    rig.throw(0, 1.0, -0.5, 3.0)
+    rig.run(5.0)
+    assert (rig.body[0, 3:] == 0).all()
+    assert (rig.truth.wheel_speed == 0).all()
+    assert (rig.truth.acceleration == 0).all()
+
+
 def test_wheels_alone_drive_ahead_and_aside_on_mecanum():
     """All four forward go ahead; forward and backward by turns round the robot go aside."""
     model = robot(drive={**MECANUM, "grip": NO_SLIP, "motor": {"friction_torque": 0.0}})

@@ -95,6 +95,30 @@ def test_load_leaves_the_wheels_ahead_when_a_robot_speeds_up():
     assert lean > 5.0
 
 
+def test_a_body_takes_a_moment_to_lean():
+    """A constant push's acceleration arrives on the wheels within a lag of 20 ms: 63 % by then."""
+    rig = Rig(kiwi(mass_height=0.15, drive={"motor": {"at_zero": "coast"}}))
+    rig.lift()
+    rig.truth.push[0, 0] = 40.0
+    rig.run(0.02)
+    assert rig.truth.acceleration[0] == pytest.approx([2 * 0.63, 0], abs=0.1)
+    rig.run(0.2)
+    assert rig.truth.acceleration[0] == pytest.approx([2.0, 0], abs=1e-3)
+
+
+def test_rollers_rub_a_little():
+    """Two wheels of four roll along, freely; the others' rollers hold with mu_r of their load."""
+    grip = {"roller": 0.05, "creep_ratio": 0.0}
+    motor = {"at_zero": "coast", "friction_torque": 0.0}
+    drive = {"azimuth_deg": [0, 90, 180, 270], "grip": grip, "motor": motor}
+    rig = Rig(player(robot(drive=drive)))
+    rig.throw(0, 2.0, 0.0)
+    rig.roll((2.0, 0.0, 0.0))
+    rig.run(1.0)
+    carried = 20 + 2 * 3.35e-3 / 0.05**2  # kg, with the turning wheels
+    assert 2.0 - rig.body[0, 3] == pytest.approx(0.05 * 20 * G / 2 / carried, rel=0.01)
+
+
 def test_a_lifted_wheel_pulls_nothing():
     """Beyond g L / (2 h) along a kiwi's axis a wheel would have to hold the robot down."""
     rig = Rig(kiwi(mass_height=0.3, drive={"grip": {"static": 3.0, "kinetic": 3.0}}))

@@ -132,6 +132,19 @@ def test_shells_rub_with_their_friction():
     assert 2 - rig.body[0, 3] == pytest.approx(0.3 * 50 / 20 * 0.2, rel=0.05)
 
 
+@pytest.mark.parametrize("dt", [0.001, 0.002, 0.004])
+def test_a_robot_that_the_board_stops_is_soon_set_beside_it(dt):
+    """A tick's way deep at most, and nothing left of that after a third of a second."""
+    rig = Rig(player(robot(elasticity=0.0), start=(0, 10.0, 0)), dt=dt)
+    rig.lift()
+    rig.throw(0, 0.0, 3.0)
+    rig.run(0.3)
+    assert abs(rig.body[0, 4]) < 1e-6
+    assert 10.75 - 1e-3 < rig.body[0, 1] < 10.75 + 3 * dt
+    rig.run(0.33)
+    assert rig.body[0, 1] == pytest.approx(10.75, abs=1e-3)
+
+
 def test_two_robots_that_push_each_other_stand():
     """Head on, alike and with equal voltage: nobody wins."""
     rig = Rig(player(robot(), start=(-0.3, 0, 0)), player(robot(), start=(0.3, 0, 180)))
