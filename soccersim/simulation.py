@@ -251,10 +251,8 @@ class Simulation:
             finite &= np.isfinite(m.log.estimate[records]).all(axis=(1, 2))
             wrong = [*m.log.tick[records][~finite], -1 - reached if reached < 0 else reached]
             where = int(wrong[0])
-            raise RunError(
-                f"{self.scenario.name}: the state stopped being a number at tick {where} "
-                f"({where * self.scenario.dt:.3f} s)"
-            )
+            what = f"{self.scenario.name}: the state stopped being a number at tick {where}"
+            raise RunError(f"{what} ({where * self.scenario.dt:.3f} s)")
 
     def _collect(self) -> None:
         """Move the log's records to where the run is kept, and link them into the digest."""

@@ -94,6 +94,14 @@ def test_the_chain_is_what_the_page_says():
 
 
 @pytest.mark.parametrize("name", RUNS)
+def test_a_digest_can_be_recomputed_from_the_recording(digests, name):
+    arrays = Simulation(load_scenario(name, settings=RUNS[name])).run().arrays
+    chain = Digest()
+    chain.add([arrays[key] for key in ("body", "wheel_angle", "wheel_speed", "estimate")])
+    assert chain.hex == digests[name]
+
+
+@pytest.mark.parametrize("name", RUNS)
 def test_a_run_may_be_cut_into_steps_of_any_size(digests, name):
     simulation = Simulation(load_scenario(name, settings=RUNS[name]))
     sizes = np.random.default_rng(3).choice([1, 1, 2, 3, 7, 64, 250], 10_000)

@@ -91,9 +91,13 @@ FAULTS = {  # what is wrong: the change of two.yaml, what is said
         ("[2, 2]}", "[2, 2], velocity: [300, 400]}"),
         "5:30: ball.velocity: the ball moves at 500 m/s: at most 30",
     ),
-    "a thousand million robots": (
-        ("[{to: [1, 0, 0]}]", "1000000000"),
-        "10:11: robots.0.path: must be a list, not 1000000000",
+    "one bad entry of a list": (
+        ("[{to: [1, 0, 0]}]", "[7]"),
+        "10:12: robots.0.path.0: must be a mapping (key: value), not 7",
+    ),
+    "a path of no legs": (
+        ("[{to: [1, 0, 0]}]", "[]"),
+        "10:11: robots.0.path: must have at least 1 entry, not 0",
     ),
     "too few wheels' PWM": (
         ("[10, 10, 10, 10]", "[10, 10, 10]"),
