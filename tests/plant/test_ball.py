@@ -88,6 +88,16 @@ def test_the_board_gives_back_its_share_of_the_speed(start, dt):
     assert (deep[bounce + 2 :] <= 0).all()
 
 
+@pytest.mark.parametrize("velocity", [(30, 0), (5, 29), (-20, 20)])
+def test_no_speed_takes_the_ball_through_the_board(velocity):
+    """The fastest kick at the slowest tick that scenarios allow."""
+    rig = pitch((3, 4), velocity, dt=0.01)
+    moving = path(rig, 2.0)
+    assert (np.abs(moving[:, :2]) < (BOARD + 0.3, BOARD - 5 + 0.3)).all()
+    assert np.abs(moving[-1, 0]) < BOARD - 0.1
+    assert np.abs(moving[:, 2:]).min() < 15
+
+
 @pytest.mark.parametrize("dt", TICKS)
 def test_the_board_leaves_a_ball_its_speed_along_it(dt):
     rig = pitch((10.0, 10.5), (5, 3), dt=dt, field=FRICTIONLESS)
