@@ -35,10 +35,18 @@ def discs(scenario: "Scenario") -> list[Disc]:
     return bodies
 
 
+def shots(scenario: "Scenario") -> Iterator[Disc]:
+    """The ball where shots put it: by then the robots may be anywhere."""
+    if ball := scenario.ball:
+        for i, shot in enumerate(ball.shots):
+            at = scenario.coordinates.field_pose((*shot.at, 0.0))[:2]
+            yield Disc(("ball", "shots", i, "at"), "the ball", *at, ball.radius)
+
+
 def misplaced(scenario: "Scenario") -> Iterator[Fault]:
     """Everybody who stands where nobody can."""
     bodies = discs(scenario)
-    for body in bodies:
+    for body in (*bodies, *shots(scenario)):
         yield from in_board(body, scenario.field)
         yield from in_goal(body, scenario.field)
     for first, body in combinations(bodies, 2):

@@ -87,6 +87,11 @@ FAULTS = {  # what is wrong: the change of two.yaml, what is said
         ("[2, 2]", "[4.8, 1.1]"),
         "5:12: ball.at: the ball stands in a goal's net: keep 0.13 m from it",
     ),
+    "a shot from outside": (
+        ("[2, 2]}", "[2, 2], shots: [{time: 1, at: [9, 0], velocity: [0, 0]}]}"),
+        "5:42: ball.shots.0.at: the ball is off the floor: at (9.00, 0.00) m on the field, "
+        "inside is |x| < 5.39, |y| < 3.89",
+    ),
     "a ball like a bullet": (
         ("[2, 2]}", "[2, 2], velocity: [300, 400]}"),
         "5:30: ball.velocity: the ball moves at 500 m/s: at most 30",
