@@ -27,17 +27,24 @@ for option, value in (
 
 
 def kernel(function: Callable[P, R]) -> Callable[P, R]:
-    """The function, compiled at its first call and kept on disk for the next process.
+    """The function, compiled at its first call and kept on disk for the next process."""
+    return _compiled(function, inner=False)
 
-    One whose name begins with _ is called by kernels alone: it gets no door to Python, which
-    would cost more to compile than the function.
+
+def inner(function: Callable[P, R]) -> Callable[P, R]:
+    """A kernel that kernels alone call.
+
+    It gets no door to Python, which would cost more to compile than the function itself.
     """
+    return _compiled(function, inner=True)
+
+
+def _compiled(function: Callable[P, R], inner: bool) -> Callable[P, R]:
     if not COMPILED:
         return function
     # untyped on purpose: only the newest numba brings types, and not for these options
     config: Any = import_module("numba.core.config")
     njit: Any = import_module("numba").njit
-    inner = function.__name__.startswith("_")
     folder = cache_folder()
     before = config.CACHE_DIR
     config.CACHE_DIR = str(folder or before)
@@ -45,6 +52,7 @@ def kernel(function: Callable[P, R]) -> Callable[P, R]:
         compile_ = njit(
             cache=folder is not None,
             error_model="numpy",
+            _nrt=False,  # kernels make no arrays: nothing to count
             nogil=True,
             no_cpython_wrapper=inner,
             no_cfunc_wrapper=True,
@@ -93,6 +101,6 @@ def _own_digest() -> str:
     digest = hashlib.sha256(str(here).encode())
     for path in sorted(here.rglob("*.py")):
         text = path.read_bytes()
-        if b"@kernel" in text or b"NamedTuple" in text:
+        if any(word in text for word in (b"@kernel", b"@inner", b"NamedTuple")):
             digest.update(path.name.encode() + text)
     return digest.hexdigest()[:16]

@@ -6,7 +6,7 @@ import numpy as np
 
 from soccersim.control.guard import Guard, build_guard, keep
 from soccersim.control.reach import ReachPlan, ReachProgress, build_reach, pursue
-from soccersim.kernel import kernel
+from soccersim.kernel import inner
 from soccersim.plant.arm import Arms, build_arms, turn_joints
 from soccersim.sensing.joints import read_joints, see_ball
 from soccersim.spec.scenario import Scenario
@@ -45,7 +45,7 @@ def build_limbs(scenario: Scenario) -> Limbs:
     )
 
 
-@kernel
+@inner
 def move_arms(
     limbs: Limbs, truth: Truth, readings: Readings, estimate: Estimate, tick: int, dt: float
 ) -> None:
@@ -62,7 +62,7 @@ def move_arms(
     turn_joints(arms, truth, limbs.progress.torque, readings.joint_rate)
 
 
-@kernel
+@inner
 def _note(limbs: Limbs, truth: Truth, readings: Readings, tick: int) -> None:
     """Write down the goals whose hold ended in this tick."""
     for arm in range(limbs.end_tick.shape[0]):

@@ -101,7 +101,8 @@ def run_ticks(m: Machine, tick: int, end: int, dt: float) -> int:
             p = m.progress
             record_legs(m.log, p.ended, p.ended_leg, p.ended_reached, m.truth, m.estimate, tick)
         record(m.log, m.truth, m.readings, m.estimate, m.command, m.progress.leg, tick)
-        if tick % m.control_every == 0 and _all_through(m):
+        over = finished(m.plan, m.progress) and through(m.limbs.plan, m.limbs.progress)
+        if over and not m.endless and tick % m.control_every == 0:
             return tick
         push_robots(m.hand, m.command.reference, m.progress.motion, m.truth)
         drive_robots(m.drive, m.truth, m.command.pwm, dt)
@@ -112,14 +113,6 @@ def run_ticks(m: Machine, tick: int, end: int, dt: float) -> int:
             return -1 - tick
         tick += 1
     return tick
-
-
-@kernel
-def _all_through(m: Machine) -> bool:
-    """Whether all plans have come to their end."""
-    return (
-        finished(m.plan, m.progress) and through(m.limbs.plan, m.limbs.progress) and not m.endless
-    )
 
 
 class Simulation:

@@ -6,7 +6,7 @@ import numpy as np
 
 from soccersim.control.reach import LINKS, ReachProgress, set_out
 from soccersim.geometry import rotate
-from soccersim.kernel import kernel
+from soccersim.kernel import inner
 from soccersim.spec.scenario import Scenario
 from soccersim.state import Array, Whole
 
@@ -53,7 +53,7 @@ def build_guard(scenario: Scenario) -> Guard:
     return guard
 
 
-@kernel
+@inner
 def keep(guard: Guard, progress: ReachProgress, pose: Array, ball: Array, tick: int) -> None:
     """Stretch or fold the guarding arms.
 
@@ -78,7 +78,7 @@ def keep(guard: Guard, progress: ReachProgress, pose: Array, ball: Array, tick: 
             guard.until[arm] = tick + guard.longest[arm]
 
 
-@kernel
+@inner
 def _threat(guard: Guard, pose: Array, ball: Array, arm: int, robot: int) -> float:
     """1 or -1: a shot passes on the left or right, beyond the body and within the arm; else 0."""
     heading = pose[robot, 2]
@@ -92,7 +92,7 @@ def _threat(guard: Guard, pose: Array, ball: Array, arm: int, robot: int) -> flo
     return 1.0 if passes > 0.0 else -1.0
 
 
-@kernel
+@inner
 def _go(progress: ReachProgress, arm: int, posture: Array, side: float, tick: int) -> None:
     """Send the arm to a posture, mirrored for the right."""
     for joint in range(LINKS):

@@ -7,7 +7,7 @@ import numpy as np
 
 from soccersim.control.profile import profile_at
 from soccersim.geometry import wrap_angle
-from soccersim.kernel import kernel
+from soccersim.kernel import inner, kernel
 from soccersim.spec.player import Leg, Player
 from soccersim.spec.scenario import Scenario
 from soccersim.state import Array, Command, Estimate, Whole
@@ -153,7 +153,7 @@ def follow(
                 command.reference[robot, k] = np.nan
 
 
-@kernel
+@inner
 def finished(plan: Plan, progress: Progress) -> bool:
     """Whether every robot that has a plan is through with it."""
     for robot in range(plan.every.shape[0]):  # noqa: SIM110 (numba)
@@ -162,7 +162,7 @@ def finished(plan: Plan, progress: Progress) -> bool:
     return True
 
 
-@kernel
+@inner
 def _begin_leg(plan: Plan, progress: Progress, estimate: Estimate, robot: int, tick: int) -> None:
     """Note the start, and which of the headings alike is meant."""
     leg = progress.leg[robot]
@@ -183,7 +183,7 @@ def _begin_leg(plan: Plan, progress: Progress, estimate: Estimate, robot: int, t
         progress.goal[robot, 2] = here + wrap_angle(heading - here)
 
 
-@kernel
+@inner
 def _end_leg(plan: Plan, progress: Progress, estimate: Estimate, robot: int, tick: int) -> None:
     """Go on where the target has been held long enough, or the time is up."""
     leg = progress.leg[robot]
@@ -209,7 +209,7 @@ def _end_leg(plan: Plan, progress: Progress, estimate: Estimate, robot: int, tic
             progress.since[robot] = -1
 
 
-@kernel
+@inner
 def _arrived(plan: Plan, progress: Progress, estimate: Estimate, robot: int, spent: int) -> bool:
     """Whether the robot believes itself at the target; a pushed one is there when its hand is."""
     if plan.pushed[robot] == 1:
@@ -222,7 +222,7 @@ def _arrived(plan: Plan, progress: Progress, estimate: Estimate, robot: int, spe
     return bool(dx * dx + dy * dy <= near * near and abs(turn) <= plan.angle[robot])
 
 
-@kernel
+@inner
 def _set_reference(plan: Plan, progress: Progress, command: Command, robot: int, t: float) -> None:
     """The set-point at t seconds into the leg, and its velocity."""
     dx = progress.goal[robot, 0] - progress.start[robot, 0]

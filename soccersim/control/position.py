@@ -12,7 +12,7 @@ import numpy as np
 
 from soccersim.control.plan import TARGET, TWIST, Plan, Progress
 from soccersim.geometry import rotate
-from soccersim.kernel import kernel
+from soccersim.kernel import inner, kernel
 from soccersim.spec.robot import Robot
 from soccersim.state import Array, Command, Estimate, Whole
 
@@ -93,13 +93,13 @@ def seek(
                 command.twist[robot, k] = plan.value[robot, leg, k]
 
 
-@kernel
+@inner
 def _stop(command: Command, robot: int) -> None:
     for k in range(3):
         command.twist[robot, k] = 0.0
 
 
-@kernel
+@inner
 def _pid(
     loop: PositionLoop,
     progress: Progress,
@@ -133,7 +133,7 @@ def _pid(
     command.twist[robot, 0], command.twist[robot, 1], command.twist[robot, 2] = bx, by, omega
 
 
-@kernel
+@inner
 def _rest(
     loop: PositionLoop, progress: Progress, estimate: Estimate, robot: int, k: int, dt: float
 ) -> float:
@@ -147,7 +147,7 @@ def _rest(
     return float(feed + loop.ki[robot, k] * loop.sums[robot, k] + damped)
 
 
-@kernel
+@inner
 def _ease(asked: float, error: float, braking: float) -> float:
     """The share of a proportional answer from which the robot can still stop at the target.
 
@@ -160,7 +160,7 @@ def _ease(asked: float, error: float, braking: float) -> float:
     return sqrt(braking * (2.0 * error - near)) / asked
 
 
-@kernel
+@inner
 def _limited(
     loop: PositionLoop, robot: int, vx: float, vy: float, omega: float, dt: float
 ) -> tuple[float, float, float]:

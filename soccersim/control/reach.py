@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from soccersim.control.profile import profile_at, profile_time
-from soccersim.kernel import kernel
+from soccersim.kernel import inner
 from soccersim.kinematics import PlanarArm
 from soccersim.spec.arm import Arm, Reach
 from soccersim.spec.scenario import Scenario
@@ -106,7 +106,7 @@ def _nearest(angle: float, here: float) -> float:
     return angle + radians(TURN * turns)
 
 
-@kernel
+@inner
 def pursue(
     plan: ReachPlan, progress: ReachProgress, angle: Array, rate: Array, tick: int, dt: float
 ) -> None:
@@ -138,7 +138,7 @@ def pursue(
                 progress.sums[arm, joint] += error * dt
 
 
-@kernel
+@inner
 def _torques(plan: ReachPlan, progress: ReachProgress, angle: Array, arm: int) -> bool:
     """Torques that give the joints the accelerations wanted; False where one passes its limit.
 
@@ -162,7 +162,7 @@ def _torques(plan: ReachPlan, progress: ReachProgress, angle: Array, arm: int) -
     return within
 
 
-@kernel
+@inner
 def _inertia(plan: ReachPlan, angle: Array, arm: int, link: int, other: int) -> float:
     """kg m2 that couples the turning of two links, both seen from the base."""
     near, far = min(link, other), max(link, other)
@@ -178,7 +178,7 @@ def _inertia(plan: ReachPlan, angle: Array, arm: int, link: int, other: int) -> 
     return (float(plan.mass[arm, far]) / 2.0 + beyond) * a * b * cos(turned)
 
 
-@kernel
+@inner
 def set_out(progress: ReachProgress, arm: int, tick: int) -> None:
     """Begin a move from where the set-point stands to progress.target."""
     progress.since[arm] = tick
@@ -186,7 +186,7 @@ def set_out(progress: ReachProgress, arm: int, tick: int) -> None:
         progress.start[arm, joint] = progress.reference[arm, joint]
 
 
-@kernel
+@inner
 def _farthest(progress: ReachProgress, arm: int) -> float:
     """How far the joint turns that turns farthest, rad."""
     farthest = 0.0
@@ -195,7 +195,7 @@ def _farthest(progress: ReachProgress, arm: int) -> float:
     return farthest
 
 
-@kernel
+@inner
 def _end(plan: ReachPlan, progress: ReachProgress, arm: int, tick: int, dt: float) -> None:
     """Note that a goal has been held long enough, and go on."""
     goal = progress.at[arm]
@@ -209,7 +209,7 @@ def _end(plan: ReachPlan, progress: ReachProgress, arm: int, tick: int, dt: floa
         progress.since[arm] = -1
 
 
-@kernel
+@inner
 def through(plan: ReachPlan, progress: ReachProgress) -> bool:
     """Whether every arm has held its last goal."""
     for arm in range(plan.goals.shape[0]):  # noqa: SIM110 (numba)

@@ -12,7 +12,7 @@ import numpy as np
 
 from soccersim.control.plan import PWM, WHEEL_SPEEDS, Plan, Progress
 from soccersim.control.position import PositionLoop
-from soccersim.kernel import kernel
+from soccersim.kernel import inner, kernel
 from soccersim.spec.motor import PWM_MAX, table_speeds
 from soccersim.spec.robot import Robot
 from soccersim.state import Array, Command, Readings, Whole
@@ -83,7 +83,7 @@ def turn_wheels(
             _wheel_pi(loop, readings, command, robot, plan.every[robot] * dt)
 
 
-@kernel
+@inner
 def _inverse_kinematics(loop: WheelLoop, command: Command, robot: int) -> int:
     """Wheel speeds for the twist, all scaled alike where one would pass its top; 1 if so."""
     vx, vy, omega = command.twist[robot, 0], command.twist[robot, 1], command.twist[robot, 2]
@@ -100,7 +100,7 @@ def _inverse_kinematics(loop: WheelLoop, command: Command, robot: int) -> int:
     return 1
 
 
-@kernel
+@inner
 def _wheel_pi(loop: WheelLoop, readings: Readings, command: Command, robot: int, dt: float) -> None:
     """PWM for the wanted speeds: the table's, and a PI that stops summing at full PWM."""
     for wheel in range(loop.wheels[robot]):

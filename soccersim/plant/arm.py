@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from soccersim.kernel import kernel
+from soccersim.kernel import inner
 from soccersim.spec.arm import Arm
 from soccersim.spec.scenario import Scenario
 from soccersim.state import Array, Truth, Whole
@@ -78,7 +78,7 @@ def link_poses(
     return poses
 
 
-@kernel
+@inner
 def turn_joints(arms: Arms, truth: Truth, wanted: Array, rate: Array) -> None:
     """Leave the joints' torques on the links, and on their carriers, in truth.wrench.
 

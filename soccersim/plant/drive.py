@@ -8,7 +8,7 @@ nor adds energy; docs/models.md derives it.
 from math import cos, nan, sin
 from typing import NamedTuple
 
-from soccersim.kernel import kernel
+from soccersim.kernel import inner, kernel
 from soccersim.plant.traction import ROLLER_CREEP, dry_friction, friction_coefficient, secant
 from soccersim.spec.motor import PWM_MAX
 from soccersim.state import Array, Truth, Whole
@@ -72,13 +72,13 @@ def drive_robots(drive: Drive, truth: Truth, pwm: Whole, dt: float) -> None:
         truth.wrench[robot, 2] = inertia * (uw - omega) / dt
 
 
-@kernel
+@inner
 def _to_body(c: float, s: float, x: float, y: float) -> tuple[float, float]:
     """A vector of the field frame in the body frame of the heading with this cosine and sine."""
     return c * x + s * y, c * y - s * x
 
 
-@kernel
+@inner
 def _solve(
     drive: Drive,
     truth: Truth,
@@ -118,12 +118,12 @@ def _solve(
     return _symmetric_solve(axx, axy, axw, ayy, ayw, aww, bx, by, bw)
 
 
-@kernel
+@inner
 def _row(rows: Array, robot: int, wheel: int) -> tuple[float, float, float]:
     return rows[robot, wheel, 0], rows[robot, wheel, 1], rows[robot, wheel, 2]
 
 
-@kernel
+@inner
 def _load(drive: Drive, truth: Truth, robot: int, wheel: int) -> float:
     """Load on a wheel while the body accelerates, left in truth.load too."""
     ax, ay = truth.acceleration[robot, 0], truth.acceleration[robot, 1]
@@ -133,7 +133,7 @@ def _load(drive: Drive, truth: Truth, robot: int, wheel: int) -> float:
     return load
 
 
-@kernel
+@inner
 def _motor(
     drive: Drive, truth: Truth, pwm: int, robot: int, wheel: int, dt: float
 ) -> tuple[float, float]:
@@ -159,7 +159,7 @@ def _motor(
     return spin * speed + dt * torque, spin + dt * drag
 
 
-@kernel
+@inner
 def _grip(
     drive: Drive,
     truth: Truth,
@@ -187,7 +187,7 @@ def _grip(
     return secant(mu * load, slip, creep)
 
 
-@kernel
+@inner
 def _turn_wheels(
     drive: Drive, truth: Truth, robot: int, dt: float, ux: float, uy: float, uw: float
 ) -> None:
@@ -202,7 +202,7 @@ def _turn_wheels(
         truth.wheel_speed[robot, wheel] = speed
 
 
-@kernel
+@inner
 def _lean(truth: Truth, robot: int, dt: float, ax: float, ay: float) -> None:
     """Low-pass of the acceleration, which shifts the loads of the next tick."""
     share = dt / (LOAD_LAG + dt)
@@ -211,13 +211,13 @@ def _lean(truth: Truth, robot: int, dt: float, ax: float, ay: float) -> None:
     truth.acceleration[robot, 1] = _settled(last_y + (ay - last_y) * share)
 
 
-@kernel
+@inner
 def _settled(rate: float) -> float:
     """0 for what has all but died away: numbers near 1e-308 take a processor ten times as long."""
     return 0.0 if abs(rate) < STILL else rate
 
 
-@kernel
+@inner
 def _symmetric_solve(
     axx: float,
     axy: float,

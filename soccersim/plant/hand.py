@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from soccersim.kernel import kernel
+from soccersim.kernel import inner
 from soccersim.state import Array, Truth, Whole
 
 STIFFNESS = 100.0  # 1/s2 per kg: the robot lags 4 mm, 9 mm while it speeds up (estimate)
@@ -16,7 +16,7 @@ class Hand(NamedTuple):
     mass: Array  # (R, 3) kg, kg, kg m2
 
 
-@kernel
+@inner
 def push_robots(hand: Hand, reference: Array, motion: Array, truth: Truth) -> None:
     """Leave in truth.push a spring and damper from each pushed robot to its moving mark.
 

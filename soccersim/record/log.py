@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from soccersim.kernel import kernel
+from soccersim.kernel import inner
 from soccersim.state import Array, Command, Estimate, Readings, Truth, Whole
 
 RECORDS = 256  # of room in the log; the run is cut into pieces that fit
@@ -67,7 +67,7 @@ def new_log(every: int, bodies: int, robots: int, wheels: int, legs: int, arms: 
     )
 
 
-@kernel
+@inner
 def record(
     log: Log,
     truth: Truth,
@@ -106,7 +106,7 @@ def record(
             log.pwm[n, robot, wheel] = command.pwm[robot, wheel]
 
 
-@kernel
+@inner
 def record_legs(
     log: Log,
     ended: Whole,

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from soccersim.kernel import kernel
+from soccersim.kernel import inner, kernel
 from soccersim.sensing.noise import BLOCK, Noise
 from soccersim.spec.robot import Robot
 from soccersim.state import Array, Readings, Truth, Whole
@@ -85,7 +85,7 @@ def read_encoders(
             readings.wheel_speed[robot, wheel] = speed
 
 
-@kernel
+@inner
 def _counted(encoders: Encoders, robot: int, wheel: int, passed: float, draw: float) -> float:
     """The counter's value: edges that passed, less those missed."""
     new = passed - encoders.passed[robot, wheel]

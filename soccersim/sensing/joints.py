@@ -4,13 +4,13 @@ Both are without error (estimate): the arm's drives are the robot's most precise
 camera that sees the ball as robots do belongs to matches.
 """
 
-from soccersim.kernel import kernel
+from soccersim.kernel import inner
 from soccersim.state import Array, Readings, Truth, Whole
 
 LINKS = 3
 
 
-@kernel
+@inner
 def read_joints(
     first: Whole, carrier: Whole, zero: Array, readings: Readings, truth: Truth
 ) -> None:
@@ -31,7 +31,7 @@ def read_joints(
             before, before_rate = truth.body[row, 2], truth.body[row, 5]
 
 
-@kernel
+@inner
 def see_ball(row: int, readings: Readings, truth: Truth) -> None:
     """Where the ball is and how fast."""
     readings.ball[0], readings.ball[1] = truth.body[row, 0], truth.body[row, 1]
