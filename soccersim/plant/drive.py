@@ -175,6 +175,10 @@ def _grip(
 
     That is the last tick's, or as much as no friction can prevent if that is more: so a wheel
     that breaks away, or is knocked, is not held by more than its grip for even a tick.
+
+    One solve with it comes as near as iterating: of 0.6 s at full voltage on spinning wheels (0.2
+    to 0.5 m) it misses 0.2-2 mm at 2 ms, iterated to the end 0.7-2.5 mm; two solves from the slip
+    before the tick missed 3-6 mm.
     """
     r, static = drive.radius[robot, wheel], drive.static[robot, wheel]
     prevented = dt * static * load * (r * r / drag + drive.mobility[robot, wheel])
