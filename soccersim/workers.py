@@ -3,10 +3,12 @@
 import multiprocessing
 import signal
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures import BrokenExecutor, ProcessPoolExecutor
 from contextlib import contextmanager
 from types import TracebackType
 from typing import Any, Self
+
+from soccersim.problems import MachineError
 
 
 class Workers:
@@ -25,7 +27,8 @@ class Workers:
     def map(self, function: Callable[..., Any], *arguments: Iterable[Any]) -> Iterator[Any]:
         """function over arguments, in their order; it must be importable, its results small."""
         with deaf():  # the processes start here
-            return self._pool.map(function, *arguments)
+            results = self._pool.map(function, *arguments)
+        return _told(results)
 
     def __enter__(self) -> Self:
         return self
@@ -40,6 +43,15 @@ class Workers:
         if kind is not None:
             for process in set(multiprocessing.active_children()) - self._others:
                 process.terminate()
+
+
+def _told(results: Iterator[Any]) -> Iterator[Any]:
+    """The same, with a process that was killed told in our words."""
+    try:
+        yield from results
+    except BrokenExecutor as error:
+        wrong = "a process ended before its work was done: the memory may be full, use fewer --jobs"
+        raise MachineError(wrong) from error
 
 
 @contextmanager

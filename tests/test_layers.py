@@ -13,7 +13,7 @@ ARMS = {"limbs", "arm_report"}
 ALL = FOUNDATION | PARTS | ARMS | {"bundled", "record", "simulation", "report", "workers", "repeat"}
 MAY_IMPORT = {  # part: what it may import besides itself and the name and version on top
     "problems": set(),
-    "workers": set(),
+    "workers": {"problems"},
     "streams": set(),
     "kernel": set(),
     "state": set(),

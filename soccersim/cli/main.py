@@ -3,6 +3,7 @@
 import os
 import sys
 from importlib import import_module
+from typing import Any
 
 import click
 
@@ -45,6 +46,13 @@ class Verbs(click.Group):
             hint = f"did you mean `{near[0]}`?" if near else f"there are {', '.join(VERBS)}"
             raise click.UsageError(f"no command `{one_line(args[0])}`: {hint}", ctx)
         return super().resolve_command(ctx, args)
+
+    def invoke(self, ctx: click.Context) -> Any:
+        """Run the verb; click would add an empty line to a Ctrl-C."""
+        try:
+            return super().invoke(ctx)
+        except KeyboardInterrupt as error:
+            raise Stopped("stopped; nothing was kept: run it again") from error
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """List the verbs without importing them."""
