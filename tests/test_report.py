@@ -7,14 +7,14 @@ import pytest
 
 from soccersim import Recording, Simulation, load_scenario
 from soccersim.bundled import names
-from soccersim.report import bands, report
+from soccersim.report import bands, errors, report
 
 KEYS = {"scenario", "seed", "digest", "duration", "frame", "robots", "arms", "shots"}
 LEG = {
     *("target", "odometry", "truth", "odometry_error", "truth_error", "drift"),
     *("odometry_heading_error", "truth_heading_error", "heading_drift", "time", "reached", "paper"),
 }
-# mm, from model.md 1.2: leg, then sensor from target, real from target, real from sensor
+# mm, from the points the paper prints: sensor from target, real from target, real from sensor
 UTAMA = {
     "defender": [(20.4, 35.5, 24.1), (44.4, 205.2, 168.3)],
     "midfielder": [(27.4, 121.0, 139.5), (48.6, 322.3, 310.4)],
@@ -58,6 +58,16 @@ def test_headings_are_unwrapped_and_their_errors_are_not_whole_turns():
         assert ninth[f"{pose}_heading_error"] < 0.2
     assert ninth["paper"]["odometry"] == pytest.approx([0.4203, 0.5419, radians(-358.99)])
     assert ninth["paper"]["odometry_heading_error"] == pytest.approx(radians(1.01))
+
+
+def test_an_error_of_heading_is_the_shortest_turn_whatever_the_turns_before():
+    poses = {"target": [3, 4, 1.5 * pi], "odometry": [0, 0, -0.5 * pi + 0.1], "truth": [0, 0, pi]}
+    told = errors(poses)
+    assert told["odometry_heading_error"] == pytest.approx(0.1)
+    assert told["truth_heading_error"] == pytest.approx(0.5 * pi)
+    assert (told["odometry_error"], told["drift"]) == (5.0, 0.0)
+    unknown = errors({"target": None, "odometry": [0, 0, 0], "truth": [0, 1, None]})
+    assert [unknown[key] for key in ("odometry_error", "heading_drift", "drift")] == [None, None, 1]
 
 
 def test_errors_are_distances_between_the_poses_shown(defender):

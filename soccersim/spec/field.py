@@ -62,7 +62,7 @@ class Field(Spec):
     corner_arc: Length | None = None
     """Radius, m."""
     board_elasticity: Share = 0.6
-    """Of the ball's bounce off the board (model.md 3.5)."""
+    """Of the ball's bounce off the board (estimate)."""
     grip: Positive = 1.0
     """Multiplies the friction of every wheel: 0.6 = a dusty floor."""
     ball_friction: NonNegative = 0.4

@@ -224,7 +224,7 @@ class Robot(Spec):
     load_transfer: bool = True
     """Whether accelerating shifts load from wheel to wheel."""
     elasticity: Share = 0.4
-    """Of a bounce against the ball (model.md 3.5: .3-.5)."""
+    """Of a bounce against the ball (estimate .3-.5)."""
     drive: DriveWheels
     dead: DeadWheels | None = None
     gyro: Gyro | None = None
