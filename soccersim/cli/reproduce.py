@@ -1,15 +1,17 @@
 """`soccersim reproduce`."""
 
 import json
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 if TYPE_CHECKING:
-    from rich.console import Console
+    from soccersim.reproduce.section import Section, Summary
 
-    from soccersim.reproduce.section import Section
+WIDEST = 1000  # characters of a table's line; a terminal that is narrower wraps it
 
 
 @click.command("reproduce", short_help="Every table of the papers beside ours.")
@@ -48,8 +50,9 @@ def command(
         prepare(out, force, ("reproduce.json", "reproduce.html"))
     announce_compiling()
     found: dict[str, list[Section]] = {}
-    with Bar("reproducing") as bar, Lab(jobs, seeds, bar) as lab:
-        for name in wanted:
+    with Bar("reproducing") as bar, Lab(jobs, seeds) as lab:
+        for i, name in enumerate(wanted):
+            lab.progress = partial(_share, bar, i, len(wanted))
             found[name] = list(sections(name, lab))
     document = {"papers": {name: [s.document() for s in found[name]] for name in wanted}}
     if out:
@@ -57,14 +60,19 @@ def command(
     if as_json:
         click.echo(json.dumps(document))
     else:
-        from rich.console import Console
+        from soccersim.cli.tables import Screen
 
         for name in wanted:
-            Console().rule(f"[bold]{PAPERS[name]}")
+            Screen().rule(f"[bold]{PAPERS[name]}")
             for section in found[name]:
-                show(Console(), section)
+                show(section)
     if out:
         click.echo(f"wrote {out / 'reproduce.html'}, reproduce.json and pictures", err=True)
+
+
+def _share(bar: Callable[[float], None], paper: int, papers: int, share: float) -> None:
+    """Tell the bar how much of all papers is done."""
+    bar((paper + share) / papers)
 
 
 def _check(papers: list[str]) -> None:
@@ -100,28 +108,51 @@ def write(found: "dict[str, list[Section]]", document: dict[str, Any], out: Path
         raise MachineError(f"{place}: {error.strerror or error}") from error
 
 
-def show(console: "Console", section: "Section") -> None:
-    """A section on the console."""
-    from soccersim.cli.tables import new_table
+def show(section: "Section") -> None:
+    """A section on the console; no number is cut, however narrow the console is."""
+    from soccersim.cli.tables import Screen, new_table
     from soccersim.reproduce.section import text
 
     table = new_table(f"[bold]{section.title}[/]")
     for column in section.columns:
-        table.add_column(column, justify="right")
-    if section.marks:
-        table.add_column("", style="red")
+        table.add_column(column.replace(" ", "\n"), justify="right", no_wrap=True)
     for i, row in enumerate(section.rows):
-        why = section.marks.get(i)
-        mark = [why or ""] if section.marks else []
-        table.add_row(*map(text, row), *mark, style="red" if why else None)
+        first, *rest = map(text, row)
+        wrong = i in section.marks
+        table.add_row(f"{first} *" if wrong else first, *rest, style="red" if wrong else None)
+    console = Screen()
     if section.rows:
+        console.width = max(console.width, Screen(width=WIDEST).measure(table).maximum)
         console.print(table)
-    for s in section.summary:
-        ours = f", ours {text(s.ours)}{' (fitted)' if s.fitted else ''}"
-        band = f" [{text(s.band[0])} .. {text(s.band[1])}]" if s.band else ""
-        again = f", recomputed {text(s.recomputed)}" if s.recomputed is not None else ""
-        line = f"{s.what}: paper {text(s.printed)}{again}{ours if s.ours is not None else ''}{band}"
-        console.print(f"  {line}{' - ' + s.note if s.note else ''}", highlight=False, markup=False)
-    for note in section.notes:
-        console.print(f"  {note}", style="dim", highlight=False, markup=False)
+    else:
+        console.print(f"[bold]{section.title}[/]")
+    for line in (*wrongs(section), *map(told, section.summary), *section.notes):
+        console.print(f"  {line}", highlight=False, markup=False)
     console.print()
+
+
+def wrongs(section: "Section") -> list[str]:
+    """The reasons why rows are marked, each once, with the rows it is about."""
+    from soccersim.reproduce.section import text
+
+    rows: dict[str, list[str]] = {}
+    for i, why in section.marks.items():
+        rows.setdefault(why, []).append(" ".join(map(text, section.rows[i][:2])))
+    return [f"* {', '.join(which)}: {why}" for why, which in rows.items()]
+
+
+def told(summary: "Summary") -> str:
+    """A summary in one line."""
+    from soccersim.reproduce.section import text
+
+    parts = [f"paper {text(summary.printed)}"]
+    if summary.recomputed is not None:
+        parts.append(f"recomputed {text(summary.recomputed)}")
+    if summary.ours is not None:
+        parts.append(f"ours {text(summary.ours)}{' (fitted)' if summary.fitted else ''}")
+    if summary.band:
+        low, high = summary.band
+        where = "inside" if summary.inside else "outside"
+        parts.append(f"5-95 % {text(low)} .. {text(high)}, the paper lies {where}")
+    note = f" - {summary.note}" if summary.note else ""
+    return f"{summary.what}: {', '.join(parts)}{note}"

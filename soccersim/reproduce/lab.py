@@ -23,11 +23,10 @@ class Lab:
         self,
         jobs: int | None = None,
         seeds: int = SEEDS,
-        progress: Callable[[float], None] | None = None,
     ) -> None:
         self.seeds = range(seeds)
+        self.progress: Callable[[float], None] | None = None
         self._jobs = jobs or os.cpu_count() or 1
-        self._progress = progress
         self._workers: Workers | None = None
 
     def runs(self, scenario: str, settings: Sequence[str] = ()) -> list[dict[str, Any]]:
@@ -45,8 +44,8 @@ class Lab:
 
     def told(self, share: float) -> None:
         """Tell the progress bar how much of all is done."""
-        if self._progress:
-            self._progress(share)
+        if self.progress:
+            self.progress(share)
 
     def __enter__(self) -> Self:
         return self
