@@ -3,7 +3,8 @@
 import json
 import math
 from contextlib import suppress
-from functools import cache
+from functools import cache, reduce
+from operator import getitem
 
 import numpy as np
 import pytest
@@ -116,19 +117,33 @@ def leaves():
     return text, [path for path in paths if path[0] not in kept]
 
 
+def put(value, path, new):
+    """Put a number at a path."""
+    for step in path[:-1]:
+        value = value[step]
+    value[path[-1]] = new
+
+
+def test_every_number_has_its_bounds():
+    text, paths = leaves()
+    for path in paths:
+        for huge in (1e300, -1e300, 2**62, -(2**62)):
+            value = json.loads(text)
+            put(value, path, huge)
+            with pytest.raises(ValidationError):
+                Scenario.model_validate_json(json.dumps(value))
+
+
 @settings(max_examples=60)
 @given(data=st.data())
 def test_a_run_of_any_valid_numbers_is_finite_or_ends_in_one_line(data):
     text, paths = leaves()
     value = json.loads(text)
     for path in data.draw(st.lists(st.sampled_from(paths), min_size=1, max_size=6, unique=True)):
-        holder = value
-        for step in path[:-1]:
-            holder = holder[step]
-        old = holder[path[-1]]
+        old = reduce(getitem, path, value)
         factor = 10 ** data.draw(st.floats(-9, 9))
         new = (old or 1) * factor * data.draw(st.sampled_from([1, 1, 1, -1]))
-        holder[path[-1]] = math.ceil(new) if isinstance(old, int) else new
+        put(value, path, math.ceil(new) if isinstance(old, int) else new)
     with suppress(ValidationError, RunError):
         recording = Simulation(Scenario.model_validate_json(json.dumps(value))).run()
         json.dumps(report(recording), allow_nan=False)

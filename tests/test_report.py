@@ -111,10 +111,10 @@ def test_time_counts_from_the_start_of_a_leg_to_the_end_of_its_dwell(defender):
 @pytest.mark.parametrize("name", UTAMA)
 def test_papers_errors_are_those_recomputed_from_its_points(name):
     legs = report(run(name, "duration=40"))["robots"][0]["legs"]
-    for leg, errors in zip(legs, UTAMA[name], strict=True):
+    for leg, printed in zip(legs, UTAMA[name], strict=True):
         paper = leg["paper"]
         told = [paper[key] * 1000 for key in ("odometry_error", "truth_error", "drift")]
-        assert told == pytest.approx(errors, abs=0.06)
+        assert told == pytest.approx(printed, abs=0.06)
 
 
 def test_papers_numbers_are_converted_and_what_it_does_not_print_is_null(defender):
