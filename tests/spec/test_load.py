@@ -139,7 +139,7 @@ def mutate(data, place, change, odd):
 CHANGES = ("replace", "replace", "replace", "delete", "add", "twice")
 
 
-@settings(max_examples=150)
+@settings(max_examples=100)
 @given(data=st.data())
 def test_a_changed_scenario_is_valid_or_refused_at_a_place_and_nothing_else(data, tmp_path_factory):
     text, places = everything()
