@@ -76,6 +76,8 @@ def choose(spec: "Scenario", name: str | None) -> "Player":
 
     from soccersim.problems import InputError, Problem
 
+    if not spec.robots:
+        raise InputError(Problem(f"{spec.name} has no robot to tune"))
     names = [player.name for player in spec.robots]
     if name is None:
         return spec.robots[0]

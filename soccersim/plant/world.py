@@ -17,6 +17,7 @@ from pymunk._chipmunk_cffi import ffi, lib
 
 from soccersim.kernel import kernel
 from soccersim.plant.linkage import add_arms
+from soccersim.spec.field import NET_RADIUS
 from soccersim.spec.scenario import Scenario
 from soccersim.state import Array, Truth
 
@@ -31,7 +32,6 @@ POSE = lib.POSITION | lib.ANGLE | lib.VELOCITY | lib.ANGULAR_VELOCITY
 WRENCH = lib.FORCE | lib.TORQUE
 HUGE = 1e9  # N or N m that nothing here can push with: a number gone wrong
 SHELL_FRICTION = 0.3  # of robots against each other and the walls (estimate)
-NET_RADIUS = 0.02  # m, half the thickness of the net
 SLACK = 8  # numbers of room behind the batch arrays: pymunk checks no bounds
 
 

@@ -106,3 +106,8 @@ def test_bad_input_is_told_in_one_line(tune, words, said):
 def test_an_unknown_option_is_refused(tune):
     assert tune("defender", "--gentle").code == 2
     assert tune().code == 2
+
+
+def test_a_scenario_without_robots_has_nothing_to_tune(soccersim):
+    ended = soccersim("tune", "arm-table2")
+    assert (ended.code, ended.err) == (2, "arm-table2 has no robot to tune\n")
