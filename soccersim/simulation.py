@@ -101,8 +101,12 @@ def run_ticks(m: Machine, tick: int, end: int, dt: float) -> int:
             p = m.progress
             record_legs(m.log, p.ended, p.ended_leg, p.ended_reached, m.truth, m.estimate, tick)
         record(m.log, m.truth, m.readings, m.estimate, m.command, m.progress.leg, tick)
-        over = finished(m.plan, m.progress) and through(m.limbs.plan, m.limbs.progress)
-        if over and not m.endless and tick % m.control_every == 0:
+        if (
+            tick % m.control_every == 0
+            and not m.endless
+            and finished(m.plan, m.progress)
+            and through(m.limbs.plan, m.limbs.progress)
+        ):
             return tick
         push_robots(m.hand, m.command.reference, m.progress.motion, m.truth)
         drive_robots(m.drive, m.truth, m.command.pwm, dt)
