@@ -9,6 +9,8 @@ PLACES = {
     "scenario": ("scenarios", ".yaml"),
     "robot": ("scenarios/robots", ".yaml"),
     "field": ("scenarios/fields", ".yaml"),
+    "rules": ("scenarios/rules", ".yaml"),
+    "senses": ("scenarios/senses", ".yaml"),
     "strategy": ("strategies", ".py"),
 }
 

@@ -37,6 +37,7 @@ class Readings(NamedTuple):
     joint: Array  # (A, 3)  rad, angles of the arms' joints
     joint_rate: Array  # (A, 3)  rad/s
     ball: Array  # (4,)  x, y, vx, vy as a keeper's arm is shown it; field frame
+    contact: Whole  # (R,)  1: the ball is in the robot's mouth
 
 
 class Estimate(NamedTuple):
@@ -55,6 +56,8 @@ class Command(NamedTuple):
     twist: Array  # (R, 3)  vx, vy, omega; body frame
     wheel_speed: Array  # (R, W)  rad/s
     pwm: Whole  # (R, W)  -255..255
+    kick: Array  # (R,)  m/s, as soon as the ball is in the mouth; 0: no
+    dribble: Whole  # (R,)  1: hold the ball in the mouth
 
 
 def new_truth(bodies: int, robots: int, wheels: int) -> Truth:
@@ -85,6 +88,7 @@ def new_readings(robots: int, wheels: int, arms: int = 0) -> Readings:
         joint=z(per_joint),
         joint_rate=z(per_joint),
         ball=z(4),
+        contact=z(robots, np.int64),
     )
 
 
@@ -102,4 +106,6 @@ def new_command(robots: int, wheels: int) -> Command:
         np.zeros((robots, 3)),
         np.zeros((robots, wheels)),
         np.zeros((robots, wheels), np.int64),
+        np.zeros(robots),
+        np.zeros(robots, np.int64),
     )

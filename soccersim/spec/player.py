@@ -77,6 +77,8 @@ class Player(Spec):
     name: Name
     team: Literal["home", "away"] = "home"
     number: Annotated[int, Key(ge=0, le=99)] = 1
+    keeper: bool = False
+    """The one of its team that may stay in its own penalty area."""
     model: Robot
     """A bundled model by name, a file, or the model itself."""
     start: Pose
