@@ -94,6 +94,7 @@ class World:
             self._add_disc(body, model.radius, model.elasticity, sqrt(SHELL_FRICTION))
             truth.body[row, :3] = x, y, body.angle
             robots.append(body)
+        self.robots = robots
         self.ball, self.ball_row = None, len(robots)
         if scenario.ball:
             ball = scenario.ball
@@ -119,6 +120,14 @@ class World:
             self.space.reindex_shapes_for_body(self.ball)
             truth.body[self.ball_row] = x, y, 0.0, vx, vy, 0.0
             truth.ball_roll[:] = 0.0
+
+    def place_robot(self, truth: Truth, row: int, x: float, y: float, heading: float) -> None:
+        """Put a robot somewhere at rest, its wheels too, field frame; between two ticks."""
+        body = self.robots[row]
+        body.position, body.angle, body.velocity, body.angular_velocity = (x, y), heading, (0, 0), 0
+        self.space.reindex_shapes_for_body(body)
+        truth.body[row] = x, y, heading, 0.0, 0.0, 0.0
+        truth.acceleration[row] = truth.wheel_speed[row] = 0.0
 
     def _add_disc(
         self, body: pymunk.Body, radius: float, elasticity: float, friction: float

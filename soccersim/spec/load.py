@@ -39,7 +39,7 @@ def load_scenario(
 
 
 def expand(tree: Tree, beside: Path) -> None:
-    """Put robots and fields that are named in their files' contents.
+    """Put robots, fields, rules and senses that are named in their files' contents.
 
     A path in a file counts from `beside`, one on the command line from the working folder.
     """
@@ -47,6 +47,10 @@ def expand(tree: Tree, beside: Path) -> None:
     if not isinstance(root, dict):
         return
     graft(tree, ("field",), root.get("field"), "field", beside, {})
+    graft(tree, ("senses",), root.get("senses"), "senses", beside, {})
+    match = root.get("match")
+    if isinstance(match, dict):
+        graft(tree, ("match", "rules"), match.get("rules"), "rules", beside, {})
     robots = root.get("robots")
     if isinstance(robots, list):
         files: dict[Path, Tree] = {}
