@@ -13,9 +13,11 @@ from soccersim.spec.arm import Arm, unreachable
 from soccersim.spec.base import Name, NonNegative, Point, Rate, Spec
 from soccersim.spec.field import Field
 from soccersim.spec.frame import Coordinates, Frame, Units
+from soccersim.spec.match import Match, line_up_faults
 from soccersim.spec.places import misplaced
 from soccersim.spec.player import Player
 from soccersim.spec.robot import FASTEST
+from soccersim.spec.senses import Senses
 from soccersim.spec.validate import Fault
 
 MAX_RECORDING = 2**29  # bytes; while it is put together a run holds it twice
@@ -104,6 +106,12 @@ class Scenario(Spec):
     robots: Annotated[tuple[Player, ...], Key(strict=False, max_length=MAX_ROBOTS)] = ()
     arms: Annotated[tuple[Arm, ...], Key(strict=False, max_length=MAX_ROBOTS)] = ()
     """Planar arms, on the floor or on robots."""
+    match: Match | None = None
+    """A match of two teams; the robots' paths are left out then."""
+    perception: Literal["truth", "onboard"] = "onboard"
+    """What teams are told in a match: what is so, or what cameras and radio bring."""
+    senses: Senses = Senses()
+    """Cameras, localisation and radio of a match: bundled ones by name, a file, or themselves."""
     record: Annotated[tuple[Literal["wheels", "sensors", "control"], ...], Key(strict=False)] = (
         "wheels",
         "sensors",
@@ -130,7 +138,7 @@ class Scenario(Spec):
         if not self.robots and not self.arms:
             raise Fault("needs a robot or an arm", at=("robots",))
         faults = [*self._rates(), *self._names(), *self._speeds(), *self._size(), *misplaced(self)]
-        faults += [*unreachable(self)]
+        faults += [*unreachable(self), *line_up_faults(self)]
         if faults:
             raise Fault.many(faults)
         return self
