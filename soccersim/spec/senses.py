@@ -47,8 +47,8 @@ def lowest(spread: Spread, range_: float) -> float:
 class Lines(Spec):
     """How well a frame's field lines tell the robot's own pose."""
 
-    distance_sd: NonNegative = 0.08
-    """Standard deviation of x and of y, m (estimate)."""
+    distance_sd: NonNegative = 0.06
+    """Standard deviation of x and of y, m (estimate; Falcons test theirs, filtered, for .03)."""
     heading_sd_deg: NonNegative = 2.0
     """Standard deviation of the heading (estimate)."""
     dropout: Share = 0.1
@@ -60,8 +60,8 @@ class Camera(Spec):
 
     rate_hz: Rate = 25
     """Frames a second."""
-    delay: Seconds = 0.06
-    """Seconds from a frame to what the robot makes of it (estimate)."""
+    delay: Seconds = 0.045
+    """Seconds from a frame to what the robot makes of it (ER-Force: .035 and .01)."""
     dropout: Share = 0.01
     """Chance that a whole frame is lost (estimate)."""
     scale_sd: Annotated[float, Key(ge=0, le=0.2)] = 0.01
@@ -92,8 +92,10 @@ class Radio(Spec):
 
     delay: Seconds = 0.015
     """Seconds a packet is under way (estimate)."""
-    loss: Share = 0.03
-    """Chance that a packet never arrives (ER-Force, Realistic.txt: commands .03)."""
+    order_loss: Share = 0.03
+    """Chance that an order never arrives (ER-Force, Realistic.txt)."""
+    report_loss: Share = 0.1
+    """Chance that a robot's report never arrives (ER-Force, Realistic.txt)."""
     silence: Positive = 0.5
     """Seconds without an order after which a robot stops."""
 
