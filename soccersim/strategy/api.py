@@ -68,8 +68,28 @@ class Body:
 
 
 @dataclass(frozen=True, slots=True)
+class Rules:
+    """The figures of the rules, under the scenario's names; None: that rule is not played."""
+
+    lines: bool = True  # False: the boards are the bounds
+    restart_time: float = 7.0  # s from STOP to START, at the latest
+    play_time: float = 7.0  # s from START until defenders may play a ball that nobody has taken
+    opponents: float = 3.0  # m, from the ball to the defenders until it is in play
+    mates: float = 2.0  # m, from the ball to the taker's mates
+    dropped_ball: float = 1.0  # m, from a dropped ball to everybody
+    roll: float = 0.5  # m, before the taker's team may touch the ball again
+    pass_at_restart: bool = True  # no goal before a mate has touched the ball
+    own_half_goals: bool = False  # whether a goal counts that was kicked from the own half
+    regain_roll: float | None = 1.0  # m, to a mate in the other half, after winning it in ours
+    dribble: float | None = 3.0  # m, with the ball, from where it was caught
+    area_time: float | None = 10.0  # s, of one robot besides its keeper in a penalty area
+    keeper_protected: bool = True  # touching the keeper in its goal area is a foul
+    stuck_time: float = 10.0  # s, then a ball that does not get away is dropped
+
+
+@dataclass(frozen=True, slots=True)
 class Pitch:
-    """The field, the ball and the figures of the rules; the goals stand at x = -+length / 2."""
+    """The field, the ball and the rules; the goals stand at x = -+length / 2."""
 
     length: float = 22.0  # m, between the goal lines
     width: float = 14.0  # m, between the touch lines
@@ -83,12 +103,7 @@ class Pitch:
     ball_radius: float = 0.11  # m
     ball_sliding: float = 3.92  # m/s2, a kicked ball slows like this until it rolls
     ball_rolling: float = 0.35  # m/s2, then like this
-    opponents_distance: float = 3.0  # m, from the ball at the other team's restart
-    mates_distance: float = 2.0  # m, from the ball at the own restart, but the taker
-    dropped_ball_distance: float = 1.0  # m, everybody
-    restart_seconds: float = 7.0  # to take a restart
-    ball_must_roll: float = 0.5  # m, after a restart, before the taker's team touches it again
-    dribble_radius: float = 3.0  # m, round the place where a robot caught the ball
+    rules: Rules = Rules()
     bodies: tuple[Body, ...] = ()  # of the own robots, in the order of View.robots
 
 
