@@ -10,6 +10,7 @@ from pydantic import Field, model_validator
 from soccersim.kinematics import OmniBase
 from soccersim.spec.base import NonNegative, Number, Positive, Share, Spec, per_item
 from soccersim.spec.control import Control
+from soccersim.spec.handling import Dribbler, Kicker, Mouth
 from soccersim.spec.sensors import Encoder, Gyro
 from soccersim.spec.validate import Fault
 
@@ -228,6 +229,9 @@ class Robot(Spec):
     drive: DriveWheels
     dead: DeadWheels | None = None
     gyro: Gyro | None = None
+    mouth: Mouth = Mouth()
+    kicker: Kicker | None = None
+    dribbler: Dribbler | None = None
     odometry: Odometry = Odometry()
     control: Control = Control()
 
