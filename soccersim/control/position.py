@@ -118,7 +118,7 @@ def _pid(
     wx = ease * px + _rest(loop, progress, estimate, robot, 0, dt)
     wy = ease * py + _rest(loop, progress, estimate, robot, 1, dt)
     ww = turn_ease * pw + _rest(loop, progress, estimate, robot, 2, dt)
-    vx, vy, omega = _limited(loop, robot, wx, wy, ww, dt)
+    vx, vy, omega = limited(loop.limits, loop.velocity, robot, wx, wy, ww, dt)
     free = ease == 1.0 and turn_ease == 1.0 and vx == wx and vy == wy and omega == ww
     for k in range(3):
         error = command.reference[robot, k] - estimate.pose[robot, k]
@@ -161,21 +161,24 @@ def _ease(asked: float, error: float, braking: float) -> float:
 
 
 @inner
-def _limited(
-    loop: PositionLoop, robot: int, vx: float, vy: float, omega: float, dt: float
+def limited(
+    limits: Array, last: Array, robot: int, vx: float, vy: float, omega: float, dt: float
 ) -> tuple[float, float, float]:
-    """The velocity within speed and acceleration limits, its direction kept."""
-    top, turn_top = loop.limits[robot, 0], loop.limits[robot, 2]
+    """A velocity within speed and acceleration limits, its direction kept; field frame.
+
+    limits (R, 4) as in PositionLoop, last (R, 3) the velocity asked for a step of dt before.
+    """
+    top, turn_top = limits[robot, 0], limits[robot, 2]
     speed = sqrt(vx * vx + vy * vy)
     if speed > top:
         vx, vy = vx * top / speed, vy * top / speed
     omega = min(max(omega, -turn_top), turn_top)
-    dx, dy = vx - loop.velocity[robot, 0], vy - loop.velocity[robot, 1]
+    dx, dy = vx - last[robot, 0], vy - last[robot, 1]
     change = sqrt(dx * dx + dy * dy)
-    step = loop.limits[robot, 1] * dt
+    step = limits[robot, 1] * dt
     if change > step:
-        vx = loop.velocity[robot, 0] + dx * step / change
-        vy = loop.velocity[robot, 1] + dy * step / change
-    turn_step = loop.limits[robot, 3] * dt
-    last = loop.velocity[robot, 2]
-    return vx, vy, min(max(omega, last - turn_step), last + turn_step)
+        vx = last[robot, 0] + dx * step / change
+        vy = last[robot, 1] + dy * step / change
+    turn_step = limits[robot, 3] * dt
+    turned = last[robot, 2]
+    return vx, vy, min(max(omega, turned - turn_step), turned + turn_step)
