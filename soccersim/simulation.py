@@ -7,80 +7,37 @@
 """
 
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from soccersim import __version__
-from soccersim.control.plan import (
-    TARGET,
-    Plan,
-    Progress,
-    build_plan,
-    finished,
-    follow,
-    new_progress,
-)
-from soccersim.control.position import PositionLoop, build_position_loop, seek
+from soccersim.control.orders import forget, obey
+from soccersim.control.plan import TARGET, finished, follow
+from soccersim.control.position import seek
 from soccersim.control.reach import through
-from soccersim.control.wheels import WheelLoop, build_wheel_loop, turn_wheels
-from soccersim.estimation.odometry import Odometry, build_odometry, reckon
+from soccersim.control.wheels import turn_wheels
+from soccersim.estimation.odometry import reckon
 from soccersim.kernel import kernel
-from soccersim.limbs import Limbs, build_limbs, ends, move_arms
-from soccersim.plant.arm import LINKS
-from soccersim.plant.ball import Rolling, build_ball, roll_ball
-from soccersim.plant.build import build_drive, wheel_count
-from soccersim.plant.drive import Drive, drive_robots
-from soccersim.plant.hand import Hand, push_robots
-from soccersim.plant.world import Chipmunk, World, step_bodies
+from soccersim.limbs import ends, move_arms
+from soccersim.machine import Machine, build_machine, empty_truth
+from soccersim.plant.ball import roll_ball
+from soccersim.plant.drive import drive_robots
+from soccersim.plant.hand import push_robots
+from soccersim.plant.handling import feel_ball, handle_ball
+from soccersim.plant.world import World, step_bodies
 from soccersim.problems import RunError
 from soccersim.record import Recording
-from soccersim.record.digest import Digest, fingerprint
-from soccersim.record.log import RECORDS, Log, new_log, record, record_legs
-from soccersim.record.recording import FORMAT, GROUPS
-from soccersim.sensing.encoder import Encoders, build_encoders, read_encoders
-from soccersim.sensing.gyro import Gyros, build_gyros, read_gyros
-from soccersim.sensing.noise import Noise, NoiseSource
+from soccersim.record.compact import rounded
+from soccersim.record.digest import KEPT, Chain, Digest, fingerprint
+from soccersim.record.log import RECORDS, record, record_legs
+from soccersim.record.recording import FORMAT, GROUPS, PLANS
+from soccersim.referee.watch import watch
+from soccersim.sensing.encoder import read_encoders
+from soccersim.sensing.gyro import read_gyros
 from soccersim.spec.scenario import Scenario
-from soccersim.state import (
-    Command,
-    Estimate,
-    Readings,
-    Truth,
-    Whole,
-    new_command,
-    new_estimate,
-    new_readings,
-    new_truth,
-)
 
 PIECE = 10_000  # ticks at most without Python: Ctrl-C is heard within half a second
-
-
-class Machine(NamedTuple):
-    """All that a tick reads and changes."""
-
-    truth: Truth
-    readings: Readings
-    estimate: Estimate
-    command: Command
-    encoders: Encoders
-    gyros: Gyros
-    noise: Noise
-    odometry: Odometry
-    plan: Plan
-    progress: Progress
-    position: PositionLoop
-    wheels: WheelLoop
-    hand: Hand
-    drive: Drive
-    ball: Rolling
-    limbs: Limbs
-    chipmunk: Chipmunk
-    log: Log
-    sense_every: int  # ticks: at no others is a sensor due
-    control_every: int  # ticks: at no others is a robot's code due
-    endless: bool  # nobody has a plan that comes to an end
 
 
 @kernel
@@ -93,10 +50,13 @@ def run_ticks(m: Machine, tick: int, end: int, dt: float) -> int:
         if tick % m.sense_every == 0:
             read_encoders(m.encoders, m.readings, m.truth, m.noise, tick, dt)
             read_gyros(m.gyros, m.readings, m.truth, m.noise, tick, dt)
+            feel_ball(m.handling, m.readings, m.truth)
         if tick % m.control_every == 0:
             reckon(m.odometry, m.estimate, m.readings, tick, dt)
             follow(m.plan, m.progress, m.estimate, m.command, tick, dt)
             seek(m.position, m.plan, m.progress, m.estimate, m.command, tick, dt)
+            if m.match:
+                obey(m.orders, m.estimate, m.command, tick, dt)
             turn_wheels(m.wheels, m.position, m.plan, m.progress, m.readings, m.command, tick, dt)
             p = m.progress
             record_legs(m.log, p.ended, p.ended_leg, p.ended_reached, m.truth, m.estimate, tick)
@@ -112,10 +72,13 @@ def run_ticks(m: Machine, tick: int, end: int, dt: float) -> int:
         drive_robots(m.drive, m.truth, m.command.pwm, dt)
         if m.ball.mass > 0.0:
             roll_ball(m.ball, m.truth, dt)
+            handle_ball(m.handling, m.noise.kick, m.command, m.truth, tick, dt)
         move_arms(m.limbs, m.truth, m.readings, m.estimate, tick, dt)
         if not step_bodies(m.chipmunk, m.truth, dt):
             return -1 - tick
         tick += 1
+        if m.match:
+            watch(m.watch, m.truth, tick)
     return tick
 
 
@@ -130,53 +93,16 @@ class Simulation:
         self.tick = 0
         self.done = False
         self.end = max(1, round(scenario.duration * scenario.timing.physics_hz))
-        models = [player.model for player in scenario.robots]
-        robots, wheels = len(models), max([0, *map(wheel_count, models)])
-        arms, ball = len(scenario.arms), scenario.ball
-        hz, seed = scenario.timing.physics_hz, scenario.seed
-        truth = new_truth(robots + (ball is not None) + LINKS * arms, robots, wheels)
+        truth = empty_truth(scenario)
         self.world = World(scenario, truth)
-        estimate = new_estimate(robots, wheels)
-        estimate.pose[:] = truth.body[:robots, :3]
-        start = estimate.pose.copy()
-        encoders, count_angle = build_encoders(models, wheels, hz, seed)
-        gyros = build_gyros(models, hz, seed)
-        self.noise = NoiseSource(models, wheels, hz, seed)
-        plan = build_plan(scenario, wheels)
-        drive = build_drive(models, scenario.field, seed)
-        self.machine = Machine(
-            truth=truth,
-            readings=new_readings(robots, wheels, arms),
-            estimate=estimate,
-            command=new_command(robots, wheels),
-            encoders=encoders,
-            gyros=gyros,
-            noise=self.noise.noise,
-            odometry=build_odometry(models, count_angle, hz),
-            plan=plan,
-            progress=new_progress(start),
-            position=build_position_loop(models, start),
-            wheels=build_wheel_loop(models, wheels),
-            hand=Hand(plan.pushed, np.stack([drive.mass, drive.mass, drive.inertia], axis=1)),
-            drive=drive,
-            ball=build_ball(scenario),
-            limbs=build_limbs(scenario),
-            chipmunk=self.world.chipmunk,
-            log=new_log(
-                scenario.every(scenario.timing.record_hz),
-                len(truth.body),
-                robots,
-                wheels,
-                plan.kind.shape[1],
-                arms,
-            ),
-            sense_every=_often(np.append(encoders.every, gyros.every)),
-            control_every=_often(plan.every),
-            endless=not any(plan.legs) and not any(arm.reaches for arm in scenario.arms),
-        )
-        self._shots = list(ball.shots) if ball else []
+        self.machine, self.noise = build_machine(scenario, self.world, truth)
+        self._shots = list(scenario.ball.shots) if scenario.ball else []
+        self._lasts = 0  # tick up to which the noise that is drawn and the room in the log last
         self._pieces: dict[str, list[np.ndarray[Any, Any]]] = {
-            key: [] for group in ("poses", *scenario.record) for key in GROUPS[group]
+            key: []
+            for group in ("poses", *scenario.record)
+            for key in GROUPS[group]
+            if not scenario.match or key not in PLANS
         }
         self._digest = Digest()
 
@@ -196,22 +122,53 @@ class Simulation:
         """Run so many ticks, or until the run is over; or only so many pieces of them."""
         goal = min(self.tick + ticks, self.end)
         while self.tick < goal and not self.done and pieces != 0:
-            every = self.machine.log.every
-            room = (-(-self.tick // every) + RECORDS) * every
-            shot = self._shoot()
-            piece = self.noise.prepare(self.tick, min(goal, room, self.tick + PIECE, shot))
-            reached = run_ticks(self.machine, self.tick, piece, self.scenario.dt)
-            self._check(reached)
-            self.done = reached < piece or reached == self.end
-            self.tick = reached
-            self._collect()
+            self._make_room()
+            self._run(min(goal, self._lasts, self.tick + PIECE))
+            self.collect()
             pieces = None if pieces is None else pieces - 1
+
+    def hurry(self, ticks: int) -> None:
+        """The same for many short steps: what is recorded stays in the log until it is full."""
+        goal = min(self.tick + ticks, self.end)
+        while self.tick < goal and not self.done:
+            if self.tick >= self._lasts:
+                self.collect()
+                self._make_room()
+            self._run(min(goal, self._lasts))
+
+    def place_robot(self, robot: int, x: float, y: float, heading: float) -> None:
+        """Carry a robot somewhere, at rest; it is told where it is. Field frame."""
+        m = self.machine
+        self.world.place_robot(m.truth, robot, x, y, heading)
+        m.estimate.pose[robot] = m.truth.body[robot, :3]
+        m.estimate.twist[robot] = 0.0
+        m.gyros.heading[robot] = m.truth.body[robot, 2]
+        m.wheels.sums[robot] = 0.0
+        forget(m.orders, robot)
+
+    def place_ball(self, x: float, y: float) -> None:
+        """Put the ball somewhere, at rest. Field frame."""
+        self.world.place_ball(self.machine.truth, x, y, 0.0, 0.0)
+
+    def _make_room(self) -> None:
+        """See to the shots, and find out how long the noise and the log last."""
+        every = self.machine.log.every
+        room = (-(-self.tick // every) + RECORDS) * every
+        self._lasts = self.noise.prepare(self.tick, min(self.end, room, self._shoot()))
+
+    def _run(self, end: int) -> None:
+        reached = run_ticks(self.machine, self.tick, end, self.scenario.dt)
+        if reached < 0:
+            self._check(reached)
+        self.done = reached < end or reached == self.end
+        self.tick = reached
 
     def recording(self) -> Recording:
         """What has been recorded so far."""
-        log = self.machine.log  # its empty start makes a run of no records one too
+        self.collect()
+        empty = np.empty((0, KEPT), np.uint8)
         arrays = {
-            key: np.concatenate([getattr(log, key)[:0], *parts])
+            key: np.concatenate(parts or [self._kept(key, 0, empty)])
             for key, parts in self._pieces.items()
         }
         return Recording(
@@ -251,17 +208,23 @@ class Simulation:
             what = f"{self.scenario.name}: the state stopped being a number at tick {where}"
             raise RunError(f"{what} ({where * self.scenario.dt:.3f} s)")
 
-    def _collect(self) -> None:
+    def collect(self) -> None:
         """Move the log's records to where the run is kept, and link them into the digest."""
         log = self.machine.log
         count = int(log.filled[0])
+        self._check(self.tick)
         if count == 0:
             return
         log.filled[0] = 0
-        for key, parts in self._pieces.items():
-            parts.append(getattr(log, key)[:count].copy())
         chained = (log.body, log.wheel_angle, log.wheel_speed, log.estimate)
-        self._digest.add([array[:count] for array in chained])
+        chain = self._digest.add([array[:count] for array in chained])
+        for key, parts in self._pieces.items():
+            parts.append(self._kept(key, count, chain))
+
+    def _kept(self, key: str, count: int, chain: Chain) -> np.ndarray[Any, Any]:
+        """The first records of an array of the log, as they are kept."""
+        array = chain if key == "chain" else getattr(self.machine.log, key)[:count]
+        return rounded(key, array) if self.scenario.match else array.copy()
 
     def _legs(self, robot: int) -> list[dict[str, Any]]:
         """The legs that ended, and the one that the end of the run cut short; field frame."""
@@ -290,8 +253,3 @@ class Simulation:
             if end == self.tick:
                 break
         return legs
-
-
-def _often(every: Whole) -> int:
-    """The longest period at which all of these are due; 0 stands for never."""
-    return int(np.gcd.reduce(every, axis=None)) or 1

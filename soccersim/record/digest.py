@@ -9,6 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 START = b"soccersim 1"
+Chain = NDArray[np.uint8]
+KEPT = 4  # bytes of a link in a recording: a change goes unseen once in four thousand million
 
 
 class Digest:
@@ -17,11 +19,17 @@ class Digest:
     def __init__(self) -> None:
         self._link = hashlib.sha256(START).digest()
 
-    def add(self, arrays: Sequence[NDArray[np.float64]]) -> None:
-        """Take in records, first axis time: of each its arrays as little-endian float64."""
+    def add(self, arrays: Sequence[NDArray[np.float64]]) -> Chain:
+        """Take in records, first axis time: of each its arrays as little-endian float64.
+
+        Returns (T, KEPT), the first bytes of each link: they tell where two runs part.
+        """
+        links = bytearray()
         flat = [np.ascontiguousarray(a, "<f8").reshape(len(a), -1) for a in arrays]
         for row in np.concatenate(flat, axis=1):
             self._link = hashlib.sha256(self._link + row.tobytes()).digest()
+            links += self._link[:KEPT]
+        return np.frombuffer(bytes(links), np.uint8).reshape(-1, KEPT)
 
     @property
     def hex(self) -> str:

@@ -12,19 +12,34 @@ import numpy as np
 from numpy.typing import NDArray
 
 from soccersim.problems import InputError, MachineError, Problem
+from soccersim.record.compact import packed, unpacked
 
 if TYPE_CHECKING:
     from soccersim.spec.scenario import Scenario
 
-FORMAT = 1
+FORMAT = 2
 Array = NDArray[Any]
 # which arrays go to the file with which word of the scenario's `record`
 GROUPS = {
-    "poses": ("tick", "body", "estimate", "reference", "leg"),
+    "poses": ("tick", "chain", "body", "estimate", "reference", "leg"),
     "wheels": ("wheel_angle", "wheel_speed", "slip", "load"),
     "sensors": ("counts", "gyro", "joint"),
     "control": ("command", "wheel_setpoint", "pwm"),
 }
+PLANS = ("reference", "leg")  # what a match has not
+MATCH = (  # D decisions of a match
+    "decision_tick",
+    "orders",
+    "in_play",
+    "contact",
+    "kicked",
+    "ball_believed",
+    "phase",
+    "whose",
+    "started",
+    "score",
+    "direction",
+)
 
 
 @dataclass(frozen=True)
@@ -97,6 +112,11 @@ class Recording:
         return float(self.meta["ticks"]) / float(self.meta["physics_hz"])
 
     @property
+    def match(self) -> dict[str, Any] | None:
+        """Of a match: teams, score, events, faults, labels, notes (see docs/recording.md)."""
+        return self.meta.get("match")
+
+    @property
     def legs(self) -> list[list[dict[str, Any]]]:
         """For each robot its legs, in the field frame (see docs/recording.md)."""
         return list(self.meta["legs"])
@@ -117,7 +137,10 @@ class Recording:
     def save(self, path: str | PathLike[str]) -> None:
         """Write one .npz without pickles; MachineError where it cannot be written."""
         groups = ("poses", *self.meta["scenario"]["record"])
-        kept = {k: self.arrays[k] for group in groups for k in GROUPS[group] if k in self.arrays}
+        names = [*MATCH, *(key for group in groups for key in GROUPS[group])]
+        kept = {key: self.arrays[key] for key in names if key in self.arrays}
+        if self.match is not None:
+            kept = {key: packed(key, array) for key, array in kept.items()}
         text = json.dumps(self.meta, allow_nan=False).encode()
         kept["meta"] = np.frombuffer(text, np.uint8)
         try:
@@ -141,9 +164,13 @@ class Recording:
             raise InputError(Problem(f"cannot be read: {error.strerror or error}", name)) from error
         except Exception as error:  # numpy and zipfile raise a dozen kinds over wrong bytes
             raise damaged from error
-        if not isinstance(meta, dict) or not set(GROUPS["poses"]) <= arrays.keys():
+        if not isinstance(meta, dict):
             raise damaged
         if meta.get("format") != FORMAT:
             wrong = f"has format {meta.get('format')}; this soccersim reads format {FORMAT}"
             raise InputError(Problem(wrong, file=name))
+        if not {"tick", "chain", "body", "estimate"} <= arrays.keys():
+            raise damaged
+        if meta.get("match") is not None:
+            arrays = {key: unpacked(key, array) for key, array in arrays.items()}
         return cls(meta, arrays)

@@ -20,7 +20,7 @@ class Team(Spec):
 
     strategy: Annotated[str, Key(min_length=1, max_length=1000)] = "still"
     """A bundled name, a file, `file.py:Class`, `package.module:Class`, or an entry point."""
-    options: dict[str, Any] = {}
+    options: dict[str, Any] = Key(default_factory=dict)
     """Keyword arguments of the strategy's class."""
 
 

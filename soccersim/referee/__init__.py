@@ -1,0 +1,1 @@
+"""The referee: what is seen every tick, and what is ruled at every decision."""
