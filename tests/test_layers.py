@@ -10,13 +10,16 @@ PACKAGE = Path(__file__).parents[1] / "soccersim"
 FOUNDATION = {"problems", "kernel", "geometry", "streams", "kinematics", "spec", "state"}
 PARTS = {"plant", "sensing", "estimation", "control"}
 ARMS = {"limbs", "arm_report"}
-ALL = FOUNDATION | PARTS | ARMS | {"bundled", "record", "simulation", "report", "workers", "repeat"}
+MATCH = {"sheet", "strategy", "referee", "perception", "match", "match_report", "verify"}
+LOOP = {"limbs", "machine", "simulation", "record"}
+ALL = FOUNDATION | PARTS | ARMS | LOOP | {"bundled", "report", "workers", "repeat"}
 MAY_IMPORT = {  # part: what it may import besides itself and the name and version on top
     "problems": set(),
     "workers": {"problems"},
     "streams": set(),
     "kernel": set(),
     "state": set(),
+    "sheet": set(),
     "geometry": {"kernel"},
     "kinematics": {"geometry", "kernel"},
     "bundled": {"problems"},
@@ -28,12 +31,19 @@ MAY_IMPORT = {  # part: what it may import besides itself and the name and versi
     "arm_report": {"record", "spec"},
     "report": {"record", "spec", "arm_report"},
     "limbs": FOUNDATION | PARTS,
-    "simulation": FOUNDATION | PARTS | {"record", "limbs"},
+    "strategy": {"sheet", "problems", "bundled"},  # small: it runs in processes of its own
+    "referee": {"geometry", "kernel", "spec", "state", "problems"},
+    "perception": FOUNDATION | {"sensing", "estimation", "control", "sheet"},
+    "machine": FOUNDATION | PARTS | {"record", "limbs", "referee"},
+    "simulation": FOUNDATION | PARTS | {"record", "limbs", "machine", "referee"},
+    "match": ALL | MATCH - {"verify"},
+    "match_report": {"record", "spec"},
+    "verify": {"problems", "record", "simulation", "match"},
     "repeat": {"record", "report", "simulation", "spec", "workers"},
     "bench": ALL | {"render"},
     "reproduce": ALL | {"render"},
     "tune": ALL | {"render"},
-    "cli": ALL | {"render", "bench", "reproduce", "tune"},
+    "cli": ALL | MATCH | {"render", "bench", "reproduce", "tune"},
     "__main__": {"cli"},
 }
 FILES = sorted(PACKAGE.rglob("*.py"))

@@ -43,7 +43,7 @@ def first_line(kind: str, name: str) -> str:
 
     path = bundled.find(kind, name)
     if path.suffix == ".py":
-        return path.read_text(encoding="utf-8").split('"""')[1].strip().split("\n")[0]
+        return path.read_text(encoding="utf-8").split('"""')[1].strip().split("\n")[0].rstrip(".")
     tree = read(path)
     about = tree.value.get("about", "") if isinstance(tree.value, dict) else ""
     return str(about).split(". ")[0].rstrip(".")
