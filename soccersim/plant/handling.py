@@ -2,7 +2,7 @@
 
 A dribbler is a spring and damper of limited force between the ball and the middle of the mouth, a
 kicker an impulse along the heading. Both act between ball and robot at the ball's centre, so they
-keep momentum, also angular. docs/models.md, section 3.9, says what is lost when.
+keep momentum, also angular. docs/models.md, section 3.9, tells when the ball is lost.
 """
 
 from collections.abc import Iterable
@@ -16,6 +16,8 @@ from soccersim.spec.handling import Dribbler
 from soccersim.spec.scenario import Scenario
 from soccersim.state import Array, Command, Readings, Truth, Whole
 
+NEVER = 2**62  # a tick that no run comes to
+
 
 class Handling(NamedTuple):
     """Mouths, kickers and dribblers of R robots, and what they remember."""
@@ -27,63 +29,63 @@ class Handling(NamedTuple):
     ahead: Array  # (R,) m from the robot's centre to that of a ball that touches it
     far: Array  # (R,) m2, square of the farthest that a ball in the mouth may be
     cone: Array  # (R,) square of the cosine of the mouth's half angle
-    kick_speed: Array  # (R,) m/s at most; 0: no kicker
+    kick_speed: Array  # (R,) m/s at most
     kick_speed_sd: Array  # (R,) relative
     kick_angle_sd: Array  # (R,) rad
-    recharge: Whole  # (R,) ticks
-    force: Array  # (R,) N at most; 0: no dribbler
+    recharge: Whole  # (R,) ticks from one kick to the next
+    force: Array  # (R,) N at most
     stiffness: Array  # (R,) N/m
     damping: Array  # (R,) N s/m
     pause: Whole  # (R,) ticks without pull after a loss or a kick
+    inside: Whole  # (R,) 1: the ball is in the mouth
+    held: Whole  # (R,) 1: the dribbler holds the ball
     kicks: Whole  # (R,) so far
     kicked: Whole  # (R,) tick of the last kick; -1: none yet
-    held: Whole  # (R,) 1: the dribbler holds the ball
-    rests: Whole  # (R,) tick before which the dribbler does not pull
+    charged: Whole  # (R,) tick from which the kicker can kick; NEVER: there is none
+    rested: Whole  # (R,) tick from which the dribbler can draw; NEVER: there is none
 
 
 def build_handling(scenario: Scenario) -> Handling:
     """All mouths empty, all kickers charged."""
     models = [player.model for player in scenario.robots]
     ball, hz = scenario.ball, scenario.timing.physics_hz
-    mass, radius = (ball.mass, ball.radius) if ball else (0.0, 0.0)
-    kickers, rollers = [m.kicker for m in models], [m.dribbler for m in models]
+    mass, radius = (ball.mass, ball.radius) if ball else (1.0, 0.0)
+    kickers, dribblers = [m.kicker for m in models], [m.dribbler for m in models]
     return Handling(
         row=len(models) if ball else -1,
         ball_mass=mass,
-        mass=_column(m.mass for m in models),
-        inertia=_column(m.yaw_inertia for m in models),
-        ahead=_column(m.radius + radius for m in models),
-        far=_column((m.radius + radius + m.mouth.reach) ** 2 for m in models),
-        cone=_column(cos(radians(m.mouth.half_angle_deg)) ** 2 for m in models),
-        kick_speed=_column(k.speed if k else 0.0 for k in kickers),
-        kick_speed_sd=_column(k.speed_sd if k else 0.0 for k in kickers),
-        kick_angle_sd=_column(radians(k.angle_sd_deg) if k else 0.0 for k in kickers),
-        recharge=_ticks(k.recharge * hz if k else 0.0 for k in kickers),
-        force=_column(d.force if d else 0.0 for d in rollers),
-        stiffness=_column(d.stiffness if d else 0.0 for d in rollers),
-        damping=_column(_damping(d, mass) for d in rollers),
-        pause=_ticks(d.pause * hz if d else 0.0 for d in rollers),
-        kicks=_ticks(0.0 for _ in models),
-        kicked=_ticks(-1.0 for _ in models),
-        held=_ticks(0.0 for _ in models),
-        rests=_ticks(0.0 for _ in models),
+        mass=_numbers(m.mass for m in models),
+        inertia=_numbers(m.yaw_inertia for m in models),
+        ahead=_numbers(m.radius + radius for m in models),
+        far=_numbers((m.radius + radius + m.mouth.reach) ** 2 for m in models),
+        cone=_numbers(cos(radians(m.mouth.half_angle_deg)) ** 2 for m in models),
+        kick_speed=_numbers(k.speed if k else 0.0 for k in kickers),
+        kick_speed_sd=_numbers(k.speed_sd if k else 0.0 for k in kickers),
+        kick_angle_sd=_numbers(radians(k.angle_sd_deg) if k else 0.0 for k in kickers),
+        recharge=_ticks(round(k.recharge * hz) if k else 0 for k in kickers),
+        force=_numbers(d.force if d else 0.0 for d in dribblers),
+        stiffness=_numbers(d.stiffness if d else 0.0 for d in dribblers),
+        damping=_numbers(_damping(d, mass) if d else 0.0 for d in dribblers),
+        pause=_ticks(round(d.pause * hz) if d else 0 for d in dribblers),
+        inside=_ticks(0 for _ in models),
+        held=_ticks(0 for _ in models),
+        kicks=_ticks(0 for _ in models),
+        kicked=_ticks(-1 for _ in models),
+        charged=_ticks(0 if k else NEVER for k in kickers),
+        rested=_ticks(0 if d else NEVER for d in dribblers),
     )
 
 
-def _column(numbers: Iterable[float]) -> Array:
-    """A number for each robot."""
-    return np.array(list(numbers), float)
+def _numbers(values: Iterable[float]) -> Array:
+    return np.array(list(values), float)
 
 
-def _ticks(numbers: Iterable[float]) -> Whole:
-    """A whole number for each robot."""
-    return np.array([round(number) for number in numbers], np.int64)
+def _ticks(values: Iterable[int]) -> Whole:
+    return np.array(list(values), np.int64)
 
 
-def _damping(dribbler: Dribbler | None, ball: float) -> float:
-    """N s/m, critical for a ball of this mass (kg) where nothing else is said."""
-    if dribbler is None:
-        return 0.0
+def _damping(dribbler: Dribbler, ball: float) -> float:
+    """N s/m; critical for a ball of this mass (kg) where nothing else is said."""
     if dribbler.damping is None:
         return 2.0 * sqrt(dribbler.stiffness * ball)
     return dribbler.damping
@@ -92,104 +94,79 @@ def _damping(dribbler: Dribbler | None, ball: float) -> float:
 @inner
 def feel_ball(handling: Handling, readings: Readings, truth: Truth) -> None:
     """Set readings.contact to 1 for the robots that have the ball in the mouth."""
-    for robot in range(handling.mass.shape[0]):
-        readings.contact[robot] = 1 if _in_mouth(handling, truth, robot) else 0
+    find_ball(handling, truth)
+    for robot in range(handling.inside.shape[0]):
+        readings.contact[robot] = handling.inside[robot]
+
+
+@inner
+def find_ball(handling: Handling, truth: Truth) -> int:
+    """Note in whose mouths the ball is; returns how many there are."""
+    row, near = handling.row, 0
+    for robot in range(handling.inside.shape[0] if row >= 0 else 0):
+        dx = truth.body[row, 0] - truth.body[robot, 0]
+        dy = truth.body[row, 1] - truth.body[robot, 1]
+        apart = dx * dx + dy * dy
+        handling.inside[robot] = 0
+        if apart <= handling.far[robot]:
+            heading = truth.body[robot, 2]
+            ahead = cos(heading) * dx + sin(heading) * dy
+            if ahead > 0.0 and ahead * ahead >= handling.cone[robot] * apart:
+                handling.inside[robot] = 1
+                near += 1
+        if handling.inside[robot] == 0:
+            handling.held[robot] = 0
+    return near
 
 
 @inner
 def handle_ball(
     handling: Handling, chance: Array, command: Command, truth: Truth, tick: int, dt: float
 ) -> None:
-    """Add what dribblers and kickers do to ball and robots to truth.wrench; wind up the kicks.
+    """Add to truth.wrench what dribblers and kickers do to the ball and, the other way, to robots.
 
     Comes after motors and floor have left their wrenches, before the bodies step. chance
     (BLOCK, R, 2) are standard normals: kick n of a robot uses row n % BLOCK. A kick that has been
     made is taken out of command.kick.
     """
-    near = 0
-    for robot in range(handling.mass.shape[0]):
-        if _in_mouth(handling, truth, robot):
-            near += 1
-        else:
-            handling.held[robot] = 0
+    near = find_ball(handling, truth)
     if near == 0:
         return
-    # alike for all robots: what one does to the ball is not known to the next
-    ax = truth.wrench[handling.row, 0] / handling.ball_mass
-    ay = truth.wrench[handling.row, 1] / handling.ball_mass
-    for robot in range(handling.mass.shape[0]):
-        if not _in_mouth(handling, truth, robot):
-            continue
-        if _kicks(handling, command, robot, tick):
-            _kick(handling, chance, command, truth, robot, tick, dt)
-        elif _draws(handling, command, robot, tick):
-            _dribble(handling, truth, robot, near, ax, ay, tick, dt)
-        else:
+    row, ball = handling.row, handling.ball_mass
+    # alike for all robots: none knows what another does to the ball in this tick
+    floor_x, floor_y = truth.wrench[row, 0] / ball, truth.wrench[row, 1] / ball
+    for robot in range(handling.inside.shape[0]):
+        kicks = command.kick[robot] > 0.0 and tick >= handling.charged[robot]
+        draws = command.dribble[robot] != 0 and tick >= handling.rested[robot]
+        if handling.inside[robot] == 0 or not (kicks or draws):
             handling.held[robot] = 0
-
-
-@inner
-def _in_mouth(handling: Handling, truth: Truth, robot: int) -> bool:
-    """Whether the ball's centre is in the sector of the robot's mouth."""
-    row = handling.row
-    if row < 0:
-        return False
-    dx = truth.body[row, 0] - truth.body[robot, 0]
-    dy = truth.body[row, 1] - truth.body[robot, 1]
-    apart = dx * dx + dy * dy
-    if not apart <= handling.far[robot]:
-        return False
-    heading = truth.body[robot, 2]
-    ahead = cos(heading) * dx + sin(heading) * dy
-    inside: bool = ahead > 0.0 and ahead * ahead >= handling.cone[robot] * apart
-    return inside
-
-
-@inner
-def _kicks(handling: Handling, command: Command, robot: int, tick: int) -> bool:
-    """Whether a kick is wanted, and the kicker there and charged."""
-    if not (command.kick[robot] > 0.0 and handling.kick_speed[robot] > 0.0):
-        return False
-    last = handling.kicked[robot]
-    charged: bool = last < 0 or tick - last >= handling.recharge[robot]
-    return charged
-
-
-@inner
-def _draws(handling: Handling, command: Command, robot: int, tick: int) -> bool:
-    """Whether the dribbler is there, on, and over its last loss."""
-    there: bool = command.dribble[robot] != 0 and handling.force[robot] > 0.0
-    return there and tick >= handling.rests[robot]
-
-
-@inner
-def _meeting(
-    handling: Handling, truth: Truth, robot: int, dt: float
-) -> tuple[float, float, float, float, float]:
-    """From the robot's centre to the ball's, the ball's speed as seen on the robot, the heading.
-
-    m, m/s, rad; field frame; where pymunk, which moves first, will let the wrenches act.
-    """
-    row = handling.row
-    ux = truth.body[row, 3] - truth.body[robot, 3]
-    uy = truth.body[row, 4] - truth.body[robot, 4]
-    omega = truth.body[robot, 5]
-    dx = truth.body[row, 0] - truth.body[robot, 0] + ux * dt
-    dy = truth.body[row, 1] - truth.body[robot, 1] + uy * dt
-    return dx, dy, ux + omega * dy, uy - omega * dx, truth.body[robot, 2] + omega * dt
-
-
-@inner
-def _act(
-    handling: Handling, truth: Truth, robot: int, dx: float, dy: float, fx: float, fy: float
-) -> None:
-    """A force (N) of the robot on the ball, and the opposite on the robot, at the ball's centre."""
-    row = handling.row
-    truth.wrench[row, 0] += fx
-    truth.wrench[row, 1] += fy
-    truth.wrench[robot, 0] -= fx
-    truth.wrench[robot, 1] -= fy
-    truth.wrench[robot, 2] -= dx * fy - dy * fx
+            continue
+        # from robot to ball, and the ball's velocity as seen on the robot, where pymunk, which
+        # moves bodies first, will let the force act; field frame
+        omega = truth.body[robot, 5]
+        heading = truth.body[robot, 2] + omega * dt
+        ux = truth.body[row, 3] - truth.body[robot, 3]
+        uy = truth.body[row, 4] - truth.body[robot, 4]
+        dx = truth.body[row, 0] - truth.body[robot, 0] + ux * dt
+        dy = truth.body[row, 1] - truth.body[robot, 1] + uy * dt
+        ux, uy = ux + omega * dy, uy - omega * dx
+        if kicks:
+            fx, fy = _kick(handling, chance, command, robot, tick, heading, ux, uy, dt)
+        else:
+            mass, inertia = handling.mass[robot], handling.inertia[robot]
+            turn = truth.wrench[robot, 2] / inertia
+            ux += dt * (floor_x - truth.wrench[robot, 0] / mass + turn * dy)
+            uy += dt * (floor_y - truth.wrench[robot, 1] / mass - turn * dx)
+            # all who are near may draw: each counts on its share of the ball alone
+            ease = near / ball + 1.0 / mass + (dx * dx + dy * dy) / inertia
+            sx = dx - handling.ahead[robot] * cos(heading)
+            sy = dy - handling.ahead[robot] * sin(heading)
+            fx, fy = _draw(handling, robot, tick, ease, sx, sy, ux, uy, dt)
+        truth.wrench[row, 0] += fx
+        truth.wrench[row, 1] += fy
+        truth.wrench[robot, 0] -= fx
+        truth.wrench[robot, 1] -= fy
+        truth.wrench[robot, 2] -= dx * fy - dy * fx
 
 
 @inner
@@ -197,68 +174,62 @@ def _kick(
     handling: Handling,
     chance: Array,
     command: Command,
-    truth: Truth,
     robot: int,
     tick: int,
+    heading: float,
+    ux: float,
+    uy: float,
     dt: float,
-) -> None:
-    """One tick of force that sends the ball off; across the kick its speed stays what it was.
+) -> tuple[float, float]:
+    """Force on the ball, N, of the one tick of a kick; field frame.
 
-    The speed wanted is that along the kick, seen from where the robot carries the ball before.
+    It leaves with the speed wanted along the kick, as seen where the robot carries it before the
+    kick. (ux, uy) is how it moves there now: across the kick that stays, and a ball that is faster
+    already is not pulled back.
     """
-    row = handling.kicks[robot] % chance.shape[0]
-    dx, dy, ux, uy, heading = _meeting(handling, truth, robot, dt)
-    direction = heading + handling.kick_angle_sd[robot] * chance[row, robot, 1]
-    spread = 1.0 + handling.kick_speed_sd[robot] * chance[row, robot, 0]
-    speed = min(command.kick[robot], handling.kick_speed[robot]) * max(spread, 0.0)
-    c, s = cos(direction), sin(direction)
-    force = handling.ball_mass * max(speed - (c * ux + s * uy), 0.0) / dt  # it cannot pull
-    _act(handling, truth, robot, dx, dy, force * c, force * s)
+    n = handling.kicks[robot] % chance.shape[0]
+    heading += handling.kick_angle_sd[robot] * chance[n, robot, 1]
+    speed = min(command.kick[robot], handling.kick_speed[robot])
+    speed *= 1.0 + handling.kick_speed_sd[robot] * chance[n, robot, 0]
     command.kick[robot] = 0.0
     handling.kicks[robot] += 1
     handling.kicked[robot] = tick
-    _let_go(handling, robot, tick)
-
-
-@inner
-def _let_go(handling: Handling, robot: int, tick: int) -> None:
+    handling.charged[robot] = tick + handling.recharge[robot]
     handling.held[robot] = 0
-    handling.rests[robot] = tick + 1 + handling.pause[robot]
+    handling.rested[robot] = max(handling.rested[robot], tick + 1 + handling.pause[robot])
+    c, s = cos(heading), sin(heading)
+    force = handling.ball_mass * max(speed - (c * ux + s * uy), 0.0) / dt
+    return force * c, force * s
 
 
 @inner
-def _dribble(
+def _draw(
     handling: Handling,
-    truth: Truth,
     robot: int,
-    near: int,
-    ax: float,
-    ay: float,
     tick: int,
+    ease: float,
+    sx: float,
+    sy: float,
+    ux: float,
+    uy: float,
     dt: float,
-) -> None:
-    """One tick of spring and damper, taken at the end of the tick so that no tick is too long.
+) -> tuple[float, float]:
+    """Force on the ball, N, of a spring and damper stretched by (sx, sy) m; field frame.
 
-    near is how many robots have the ball in their mouths: each reckons with its share of the
-    ball, as all may pull. ax, ay: what the floor alone makes of the ball, m/s2, field frame.
+    Taken at the end of the tick, so that no tick is too long for it: (ux, uy) is how fast it would
+    stretch then without its own force, and ease, 1/kg, how much of that its force takes away.
     """
-    dx, dy, ux, uy, heading = _meeting(handling, truth, robot, dt)
-    mass, inertia = handling.mass[robot], handling.inertia[robot]
-    turn = truth.wrench[robot, 2] / inertia
-    ux += dt * (ax - truth.wrench[robot, 0] / mass + turn * dy)
-    uy += dt * (ay - truth.wrench[robot, 1] / mass - turn * dx)
-    k = handling.stiffness[robot]
-    hold = handling.damping[robot] + k * dt
-    ease = near / handling.ball_mass + 1.0 / mass + (dx * dx + dy * dy) / inertia  # 1/kg
-    share = 1.0 / (1.0 + dt * hold * ease)
-    fx = -share * (k * (dx - handling.ahead[robot] * cos(heading)) + hold * ux)
-    fy = -share * (k * (dy - handling.ahead[robot] * sin(heading)) + hold * uy)
-    needed = sqrt(fx * fx + fy * fy)
-    if needed <= handling.force[robot]:
+    stiffness = handling.stiffness[robot]
+    hold = handling.damping[robot] + stiffness * dt
+    share = -1.0 / (1.0 + dt * hold * ease)
+    fx, fy = share * (stiffness * sx + hold * ux), share * (stiffness * sy + hold * uy)
+    needed, most = sqrt(fx * fx + fy * fy), handling.force[robot]
+    if needed <= most:
         handling.held[robot] = 1
-    elif handling.held[robot] != 0:
-        _let_go(handling, robot, tick)
-        return
-    else:  # not caught yet
-        fx, fy = fx * handling.force[robot] / needed, fy * handling.force[robot] / needed
-    _act(handling, truth, robot, dx, dy, fx, fy)
+    elif handling.held[robot] == 0:  # not caught yet
+        fx, fy = fx * most / needed, fy * most / needed
+    else:
+        fx = fy = 0.0
+        handling.held[robot] = 0
+        handling.rested[robot] = tick + 1 + handling.pause[robot]
+    return fx, fy
