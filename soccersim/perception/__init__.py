@@ -1,0 +1,84 @@
+"""What each team knows of the game, put together from cameras, odometry and radio.
+
+    frame -> own pose corrected -> report by radio -> the team's tracks -> the sheet of a decision
+
+A robot works on a frame `camera.delay` after it was taken; its report, with all that the frame
+showed, reaches the team's computer `radio.delay` later, or never. What the sheet tells is brought
+forward to the moment of the decision; its ages say how old the news is.
+"""
+
+from collections.abc import Sequence
+
+from soccersim.estimation.ball_track import put_down
+from soccersim.estimation.localisation import SURE
+from soccersim.estimation.opponents import FREE
+from soccersim.perception.mind import build_mind
+from soccersim.perception.telling import tell
+from soccersim.perception.watching import perceive, reveal
+from soccersim.sensing.camera import DrawSource
+from soccersim.spec.scenario import Scenario
+from soccersim.state import Array, Estimate, Readings, Truth
+
+
+class Perception:
+    """Both teams' knowledge: `step` at every beat, then `fill` for each decision."""
+
+    def __init__(self, scenario: Scenario) -> None:
+        self._all_seeing = scenario.perception == "truth"
+        teams = [int(player.team == "away") for player in scenario.robots]
+        self._draws = DrawSource(teams, scenario.seed)
+        self._mind = build_mind(scenario, self._draws.draws)
+        self._dt = scenario.dt
+        self._tick = -1  # of the last step
+        self.beat: int = self._mind.camera.every
+        """Ticks from frame to frame: `step` is called at least that often."""
+
+    def step(
+        self,
+        truth: Truth,
+        readings: Readings,
+        estimate: Estimate,
+        tick: int,
+        in_play: Sequence[int] | Array,
+        direction: Sequence[float] | Array,
+    ) -> None:
+        """Look, work on what was seen, hear reports; corrects estimate.pose of the robots.
+
+        in_play (R,) says who plays: the others neither see, nor are seen, nor report.
+        direction (2,) is +1 where a team attacks +x, else -1.
+        """
+        mind = self._mind
+        mind.playing[:], mind.direction[:] = in_play, direction
+        self._tick = tick
+        if self._all_seeing:
+            reveal(mind, truth.body, readings.contact, tick)
+            return
+        if tick % mind.camera.every == 0:
+            self._draws.prepare(tick // mind.camera.every)
+        robots = len(mind.team)
+        body = truth.body[: robots + 1]
+        perceive(mind, body, readings.contact, estimate.pose, estimate.twist, tick, self._dt)
+
+    def fill(self, sheet: Array, slot: int, tick: int) -> None:
+        """Write what a team knows into its sheet: numbers 8 and on, as soccersim.sheet says."""
+        tell(self._mind, sheet, slot, tick, self._dt)
+
+    def place(self, robot: int, pose: Sequence[float]) -> None:
+        """A robot was carried to a pose (field frame) and told so: forget its past.
+
+        Its own team knows the place; the other team looks anew for all its opponents.
+        """
+        mind = self._mind
+        mind.frames.alive[:, robot] = 0
+        mind.localisation.variance[robot] = SURE**2
+        mind.reports.pose[robot] = pose
+        mind.reports.twist[robot] = 0.0
+        mind.reports.contact[robot] = 0
+        mind.reports.tick[robot] = max(self._tick, 0)
+        other = 1 - int(mind.team[robot])
+        mind.opponents.seen[other] = FREE
+        mind.opponents.since[other] = self._tick
+
+    def place_ball(self, x: float, y: float) -> None:
+        """The referee put the ball down, field frame: everybody saw where."""
+        put_down(self._mind.balls, x, y, self._tick)
