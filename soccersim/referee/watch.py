@@ -35,7 +35,7 @@ class Watch(NamedTuple):
     active: Whole  # (R,)  1: in play; the judge writes it
     reach: Array  # (R,)  distance of centres at which robot and ball touch
     touched: Whole  # (R,)  tick of the robot's last touch
-    caught: Array  # (R, 2)  the ball where the robot's present contact with it began
+    caught: Array  # (R, 2)  the robot where its present contact with the ball began
     kicker: Array  # (R, 2)  the robot at its last touch
     latest: Whole  # (1,)  who touched the ball last; -1: nobody
     last: Array  # (2,)  the ball at the last touch
@@ -107,7 +107,7 @@ def see_touches(w: Watch, truth: Truth, tick: int) -> None:
         gap = dx * dx + dy * dy - reach * reach
         if gap < 0.0 and w.active[robot] == 1:
             if tick - w.touched[robot] > w.release:
-                w.caught[robot, 0], w.caught[robot, 1] = x, y
+                w.caught[robot, 0], w.caught[robot, 1] = truth.body[robot, 0], truth.body[robot, 1]
                 if robot == latest:
                     again = 1
             w.touched[robot] = tick

@@ -42,7 +42,7 @@ class Rules(Spec):
     slack: NonNegative = 0.3
     """How much nearer is forgiven: robots know where they are no better (ours)."""
     retakes: Annotated[int, Key(ge=0, le=10)] = 1
-    """How often a restart is taken again because somebody came too near; then he goes off (ours)."""
+    """How often a restart is taken again when somebody comes too near; then he goes off (ours)."""
     roll: NonNegative = 0.5
     """That a ball must roll from its place before the taker's team touches it again (2016;
     RC-13.1.2 of the same book says 0.2)."""
@@ -62,7 +62,7 @@ class Rules(Spec):
     keeper_protected: bool = True
     """Whether touching the keeper in its goal area is a foul (2016)."""
     pushing: Positive | None = 0.3
-    """How far a robot may shove an opponent that it touches (2016 forbids it; the figure is ours)."""
+    """How far a robot may shove an opponent (2016 forbids pushing; the measure is ours)."""
     penalties: bool = True
     """Whether pushing by a defender in its own penalty area gives a penalty (2016), not a kick."""
     stuck_time: Annotated[float, Key(ge=1, le=600)] = 10.0

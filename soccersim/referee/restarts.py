@@ -1,0 +1,135 @@
+"""Who stands where at a restart: distances, readiness, and robots that are carried away."""
+
+from math import hypot
+
+from soccersim.referee.events import Call, Place, Pose
+from soccersim.referee.ground import Ground
+from soccersim.referee.phases import Phase
+from soccersim.referee.room import MARGIN, Room
+from soccersim.referee.scene import Scene
+
+READY_SPEED = 0.3  # m/s; slower, a robot stands (ours)
+READY_REACH = 0.6  # m between ball and shell of the taker that waits for START (ours)
+
+
+class Restart:
+    """One restart, from its signal until the ball is in play."""
+
+    def __init__(self, scene: Scene, ground: Ground, room: Room, call: Call) -> None:
+        self.scene, self.ground, self.room, self.call = scene, ground, room, call
+        self.end = 1.0 if call.ball[0] > 0.0 else -1.0  # where a penalty is taken
+        self.retakes = 0
+        self.taken_by: int | None = None  # the row that touched the ball first after START
+
+    def taker(self) -> int | None:
+        """The robot of the restarting team that is nearest to the ball's place."""
+        scene, ball = self.scene, self.call.ball
+        rows = [r for r in scene.rows if scene.playing[r] and scene.slot[r] == self.call.whose]
+        return min(rows, key=lambda row: scene.far(row, ball), default=None)
+
+    def distance(self, row: int) -> float:
+        """That the robot must keep from the ball if it is not the taker."""
+        rules = self.scene.rules
+        if self.call.restart is Phase.DROPPED_BALL:
+            return rules.dropped_ball
+        return rules.mates if self.scene.slot[row] == self.call.whose else rules.opponents
+
+    def is_near(self, row: int, x: float, y: float, slack: float) -> bool:
+        """Whether a robot there, not the taker, would be too near the ball."""
+        ball = self.call.ball
+        if hypot(x - ball[0], y - ball[1]) >= self.distance(row) - slack:
+            return False
+        return row not in self.spared()
+
+    def spared(self) -> list[int]:
+        """One robot a team may stand in its own penalty area at any distance, the keeper first."""
+        if self.call.restart in (Phase.GOAL_KICK, Phase.PENALTY):
+            return []
+        scene, spared = self.scene, []
+        for slot in (0, 1):
+            own = [
+                row
+                for row in scene.rows
+                if scene.slot[row] == slot
+                and scene.playing[row]
+                and self.ground.penalty_end(*scene.place(row)) == -scene.direction[slot]
+            ]
+            spared += sorted(own, key=lambda row: not scene.keeper[row])[:1]
+        return spared
+
+    def is_wrong(self, row: int, x: float, y: float, taker: int | None, slack: float) -> bool:
+        """Whether the robot may not stand there at START."""
+        scene, restart = self.scene, self.call.restart
+        if restart is Phase.PENALTY and self._is_goalie(row):
+            line = self.room.line - scene.radius[row]
+            return abs(self.end * x - line) > slack + MARGIN or abs(y) > scene.field.goal.width / 2
+        if row == taker:
+            return False
+        if restart is Phase.KICK_OFF and scene.ahead(row, x) > (slack or -scene.radius[row]):
+            return True
+        if restart is Phase.PENALTY and self.ground.penalty_end(x, y):
+            return not (scene.keeper[row] and scene.ahead(row, x) < 0.0)
+        return self.is_near(row, x, y, slack)
+
+    def _is_goalie(self, row: int) -> bool:
+        """Whether it keeps the goal that the penalty goes to."""
+        scene = self.scene
+        return scene.keeper[row] and scene.direction[scene.slot[row]] == -self.end
+
+    def wrong(self, slack: float) -> list[int]:
+        """All who may not stand where they are at START."""
+        scene, taker = self.scene, self.taker()
+        return [
+            row
+            for row in scene.rows
+            if scene.playing[row] and self.is_wrong(row, *scene.place(row), taker, slack)
+        ]
+
+    def is_ready(self) -> bool:
+        """Whether START can be given: everybody stands, in his place, and the taker at the ball."""
+        scene, taker = self.scene, self.taker()
+        if any(scene.playing[row] and scene.speed(row) > READY_SPEED for row in scene.rows):
+            return False
+        if self.call.whose is not None:
+            if taker is None:
+                return False
+            reach = scene.radius[taker] + scene.ball_radius + READY_REACH
+            if scene.far(taker, self.call.ball) > reach:
+                return False
+        return not self.wrong(scene.rules.slack)
+
+    def intruders(self) -> list[int]:
+        """Who has come too near after START, before the ball is in play."""
+        if self.call.restart is Phase.DROPPED_BALL:
+            return []
+        scene = self.scene
+        taker = self.taker() if self.taken_by is None else self.taken_by
+        slack = scene.rules.slack
+        return [
+            row
+            for row in scene.rows
+            if scene.playing[row]
+            and row != taker
+            and scene.far(row, self.call.ball) < scene.rules.opponents
+            and self.is_near(row, *scene.place(row), slack)
+        ]
+
+    def legal_place(self, row: int) -> Pose | None:
+        """The nearest place where the robot may stand at START; None: there is none."""
+        scene, ball = self.scene, self.call.ball
+        x, y = scene.place(row)
+        taker = self.taker()
+        start: Place = (x, y)
+        if self.call.restart is Phase.PENALTY and self._is_goalie(row):
+            most = scene.field.goal.width / 2 - scene.radius[row] - MARGIN
+            line = self.room.line - scene.radius[row]
+            start = self.end * line, self.ground.clipped(y, max(most, 0.0))
+        else:
+            apart, keep = hypot(x - ball[0], y - ball[1]), self.distance(row)
+            if 1e-9 < apart < keep:  # straight away from the ball
+                share = keep / apart * (1.0 + 1e-9)
+                start = ball[0] + (x - ball[0]) * share, ball[1] + (y - ball[1]) * share
+        place = self.room.find(
+            row, start, ball, lambda px, py: not self.is_wrong(row, px, py, taker, 0.0)
+        )
+        return (*place, scene.body[row][2]) if place else None
