@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from soccersim.estimation.ball_track import put_down
 from soccersim.estimation.localisation import SURE
 from soccersim.estimation.opponents import FREE
-from soccersim.perception.mind import build_mind
+from soccersim.perception.mind import build_eyes, build_known
 from soccersim.perception.telling import tell
 from soccersim.perception.watching import perceive, reveal
 from soccersim.sensing.camera import DrawSource
@@ -27,10 +27,11 @@ class Perception:
         self._all_seeing = scenario.perception == "truth"
         teams = [int(player.team == "away") for player in scenario.robots]
         self._draws = DrawSource(teams, scenario.seed)
-        self._mind = build_mind(scenario, self._draws.draws)
+        self._eyes = build_eyes(scenario, self._draws.draws)
+        self._known = build_known(scenario)
         self._dt = scenario.dt
         self._tick = -1  # of the last step
-        self.beat: int = self._mind.camera.every
+        self.beat: int = self._eyes.camera.every
         """Ticks from frame to frame: `step` is called at least that often."""
 
     def step(
@@ -47,38 +48,36 @@ class Perception:
         in_play (R,) says who plays: the others neither see, nor are seen, nor report.
         direction (2,) is +1 where a team attacks +x, else -1.
         """
-        mind = self._mind
-        mind.playing[:], mind.direction[:] = in_play, direction
+        eyes, known = self._eyes, self._known
+        known.playing[:], known.direction[:] = in_play, direction
         self._tick = tick
         if self._all_seeing:
-            reveal(mind, truth.body, readings.contact, tick)
+            reveal(known, truth.body, readings.contact, tick)
             return
-        if tick % mind.camera.every == 0:
-            self._draws.prepare(tick // mind.camera.every)
-        robots = len(mind.team)
-        body = truth.body[: robots + 1]
-        perceive(mind, body, readings.contact, estimate.pose, estimate.twist, tick, self._dt)
+        if tick % eyes.camera.every == 0:
+            self._draws.prepare(tick // eyes.camera.every)
+        pose, twist = estimate.pose, estimate.twist
+        perceive(eyes, known, truth.body, readings.contact, pose, twist, tick, self._dt)
 
     def fill(self, sheet: Array, slot: int, tick: int) -> None:
         """Write what a team knows into its sheet: numbers 8 and on, as soccersim.sheet says."""
-        tell(self._mind, sheet, slot, tick, self._dt)
+        tell(self._known, sheet, slot, tick, self._dt)
 
     def place(self, robot: int, pose: Sequence[float]) -> None:
         """A robot was carried to a pose (field frame) and told so: forget its past.
 
         Its own team knows the place; the other team looks anew for all its opponents.
         """
-        mind = self._mind
-        mind.frames.alive[:, robot] = 0
-        mind.localisation.variance[robot] = SURE**2
-        mind.reports.pose[robot] = pose
-        mind.reports.twist[robot] = 0.0
-        mind.reports.contact[robot] = 0
-        mind.reports.tick[robot] = max(self._tick, 0)
-        other = 1 - int(mind.team[robot])
-        mind.opponents.seen[other] = FREE
-        mind.opponents.since[other] = self._tick
+        known, other = self._known, 1 - int(self._known.team[robot])
+        self._eyes.frames.alive[:, robot] = 0
+        self._eyes.localisation.variance[robot] = SURE**2
+        known.reports.pose[robot] = pose
+        known.reports.twist[robot] = 0.0
+        known.reports.contact[robot] = 0
+        known.reports.tick[robot] = max(self._tick, 0)
+        known.opponents.seen[other] = FREE
+        known.opponents.since[other] = self._tick
 
     def place_ball(self, x: float, y: float) -> None:
         """The referee put the ball down, field frame: everybody saw where."""
-        put_down(self._mind.balls, x, y, self._tick)
+        put_down(self._known.balls, x, y, self._tick)

@@ -152,7 +152,7 @@ def take_frames(
     playing: Whole,
     number: int,
 ) -> None:
-    """Every robot's frame of this moment; the last row of body (B, 6) is the ball's, as in Truth.
+    """Every robot's frame of this moment; body (B, 6) has the robots' rows, then the ball's.
 
     pose and twist (R, 3) are the robots' beliefs, team and playing (R,) who is whose and plays.
     """
