@@ -2,7 +2,7 @@
 
 from math import hypot
 
-from soccersim.referee.events import SIDES, Call, Event, Place, Pose, Ruling
+from soccersim.referee.events import SIDES, Event, Place, Pose, Ruling
 from soccersim.referee.room import MARGIN, Room
 from soccersim.referee.scene import Scene
 
@@ -42,10 +42,6 @@ class Desk:
                 text=text,
             )
         )
-
-    def tell(self, call: Call, more: str = "") -> None:
-        """Write a whistle down."""
-        self.say(call.kind, call.rule, call.text + more, call.at, call.robots, call.side)
 
     def put(self, row: int, pose: Pose | None) -> None:
         """The robot is put there; None: it stays."""

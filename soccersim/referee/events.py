@@ -52,7 +52,6 @@ class Call:
     robots: tuple[int, ...] = ()  # rows
     side: int | None = None  # slot that the event is about
     goal: int | None = None  # slot that scored
-    again: bool = False  # the same restart once more
 
 
 @dataclass(slots=True)

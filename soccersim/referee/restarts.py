@@ -1,5 +1,6 @@
 """Who stands where at a restart: distances, readiness, and robots that are carried away."""
 
+from collections.abc import Iterator
 from math import hypot
 
 from soccersim.referee.events import Call, Place, Pose
@@ -10,38 +11,97 @@ from soccersim.referee.scene import Scene
 
 READY_SPEED = 0.3  # m/s; slower, a robot stands (ours)
 READY_REACH = 0.6  # m between ball and shell of the taker that waits for START (ours)
+READY_AFTER, READY_FOR = 1.0, 0.4  # s after the signal, s that all must be ready (ours)
 
 
 class Restart:
-    """One restart, from its signal until the ball is in play."""
+    """One restart, from its whistle until the ball is in play."""
 
     def __init__(self, scene: Scene, ground: Ground, room: Room, call: Call) -> None:
         self.scene, self.ground, self.room, self.call = scene, ground, room, call
         self.end = 1.0 if call.ball[0] > 0.0 else -1.0  # where a penalty is taken
         self.retakes = 0
         self.taken_by: int | None = None  # the row that touched the ball first after START
+        self.stopped = self.signalled = self.started = 0  # ticks of STOP, signal and START
+        self.ready_since: int | None = None  # tick
+
+    def signal(self) -> None:
+        """The signal is given: from now on robots go to their places."""
+        self.signalled, self.ready_since, self.taken_by = self.scene.tick, None, None
 
     def taker(self) -> int | None:
-        """The robot of the restarting team that is nearest to the ball's place."""
+        """Who takes it: the robot of the restarting team that is nearest to the ball's place."""
+        if self.taken_by is not None:
+            return self.taken_by
         scene, ball = self.scene, self.call.ball
         rows = [r for r in scene.rows if scene.playing[r] and scene.slot[r] == self.call.whose]
         return min(rows, key=lambda row: scene.far(row, ball), default=None)
 
-    def distance(self, row: int) -> float:
+    def is_ready(self) -> bool:
+        """Whether everybody has stood right for a moment."""
+        scene = self.scene
+        if not self._all_stand():
+            self.ready_since = None
+            return False
+        if self.ready_since is None:
+            self.ready_since = scene.tick
+        since_signal, since = scene.tick - self.signalled, scene.tick - self.ready_since
+        return since_signal >= scene.ticks(READY_AFTER) and since >= scene.ticks(READY_FOR)
+
+    def _all_stand(self) -> bool:
+        scene, taker = self.scene, self.taker()
+        if any(scene.playing[row] and scene.speed(row) > READY_SPEED for row in scene.rows):
+            return False
+        if self.call.whose is not None:
+            if taker is None:
+                return False
+            reach = scene.radius[taker] + scene.ball_radius + READY_REACH
+            if scene.far(taker, self.call.ball) > reach:
+                return False
+        return not self.wrong(scene.rules.slack)
+
+    def wrong(self, slack: float) -> list[int]:
+        """All who may not stand where they are at START."""
+        scene, taker = self.scene, self.taker()
+        return [
+            row
+            for row in scene.rows
+            if scene.playing[row] and self._is_wrong(row, *scene.place(row), taker, slack)
+        ]
+
+    def intruders(self) -> list[int]:
+        """Who is too near after START, before the ball is in play."""
+        if self.call.restart is Phase.DROPPED_BALL:
+            return []
+        scene, taker, slack = self.scene, self.taker(), self.scene.rules.slack
+        return [
+            row
+            for row in scene.rows
+            if scene.playing[row] and row != taker and self._is_near(row, *scene.place(row), slack)
+        ]
+
+    def carried(self, slack: float) -> Iterator[tuple[int, Pose]]:
+        """Who stands wrong, and the nearest place where he may stand, one after the other."""
+        for row in self.wrong(slack):
+            pose = self._legal_place(row)
+            if pose is not None:
+                yield row, pose
+
+    def _distance(self, row: int) -> float:
         """That the robot must keep from the ball if it is not the taker."""
         rules = self.scene.rules
         if self.call.restart is Phase.DROPPED_BALL:
             return rules.dropped_ball
         return rules.mates if self.scene.slot[row] == self.call.whose else rules.opponents
 
-    def is_near(self, row: int, x: float, y: float, slack: float) -> bool:
+    def _is_near(self, row: int, x: float, y: float, slack: float) -> bool:
         """Whether a robot there, not the taker, would be too near the ball."""
         ball = self.call.ball
-        if hypot(x - ball[0], y - ball[1]) >= self.distance(row) - slack:
+        if hypot(x - ball[0], y - ball[1]) >= self._distance(row) - slack:
             return False
-        return row not in self.spared()
+        return row not in self._spared()
 
-    def spared(self) -> list[int]:
+    def _spared(self) -> list[int]:
         """One robot a team may stand in its own penalty area at any distance, the keeper first."""
         if self.call.restart in (Phase.GOAL_KICK, Phase.PENALTY):
             return []
@@ -57,7 +117,7 @@ class Restart:
             spared += sorted(own, key=lambda row: not scene.keeper[row])[:1]
         return spared
 
-    def is_wrong(self, row: int, x: float, y: float, taker: int | None, slack: float) -> bool:
+    def _is_wrong(self, row: int, x: float, y: float, taker: int | None, slack: float) -> bool:
         """Whether the robot may not stand there at START."""
         scene, restart = self.scene, self.call.restart
         if restart is Phase.PENALTY and self._is_goalie(row):
@@ -69,67 +129,28 @@ class Restart:
             return True
         if restart is Phase.PENALTY and self.ground.penalty_end(x, y):
             return not (scene.keeper[row] and scene.ahead(row, x) < 0.0)
-        return self.is_near(row, x, y, slack)
+        return self._is_near(row, x, y, slack)
 
     def _is_goalie(self, row: int) -> bool:
         """Whether it keeps the goal that the penalty goes to."""
         scene = self.scene
         return scene.keeper[row] and scene.direction[scene.slot[row]] == -self.end
 
-    def wrong(self, slack: float) -> list[int]:
-        """All who may not stand where they are at START."""
-        scene, taker = self.scene, self.taker()
-        return [
-            row
-            for row in scene.rows
-            if scene.playing[row] and self.is_wrong(row, *scene.place(row), taker, slack)
-        ]
-
-    def is_ready(self) -> bool:
-        """Whether START can be given: everybody stands, in his place, and the taker at the ball."""
-        scene, taker = self.scene, self.taker()
-        if any(scene.playing[row] and scene.speed(row) > READY_SPEED for row in scene.rows):
-            return False
-        if self.call.whose is not None:
-            if taker is None:
-                return False
-            reach = scene.radius[taker] + scene.ball_radius + READY_REACH
-            if scene.far(taker, self.call.ball) > reach:
-                return False
-        return not self.wrong(scene.rules.slack)
-
-    def intruders(self) -> list[int]:
-        """Who has come too near after START, before the ball is in play."""
-        if self.call.restart is Phase.DROPPED_BALL:
-            return []
-        scene = self.scene
-        taker = self.taker() if self.taken_by is None else self.taken_by
-        slack = scene.rules.slack
-        return [
-            row
-            for row in scene.rows
-            if scene.playing[row]
-            and row != taker
-            and scene.far(row, self.call.ball) < scene.rules.opponents
-            and self.is_near(row, *scene.place(row), slack)
-        ]
-
-    def legal_place(self, row: int) -> Pose | None:
+    def _legal_place(self, row: int) -> Pose | None:
         """The nearest place where the robot may stand at START; None: there is none."""
-        scene, ball = self.scene, self.call.ball
+        scene, ball, taker = self.scene, self.call.ball, self.taker()
         x, y = scene.place(row)
-        taker = self.taker()
         start: Place = (x, y)
         if self.call.restart is Phase.PENALTY and self._is_goalie(row):
             most = scene.field.goal.width / 2 - scene.radius[row] - MARGIN
             line = self.room.line - scene.radius[row]
             start = self.end * line, self.ground.clipped(y, max(most, 0.0))
         else:
-            apart, keep = hypot(x - ball[0], y - ball[1]), self.distance(row)
+            apart, keep = hypot(x - ball[0], y - ball[1]), self._distance(row)
             if 1e-9 < apart < keep:  # straight away from the ball
                 share = keep / apart * (1.0 + 1e-9)
                 start = ball[0] + (x - ball[0]) * share, ball[1] + (y - ball[1]) * share
         place = self.room.find(
-            row, start, ball, lambda px, py: not self.is_wrong(row, px, py, taker, 0.0)
+            row, start, ball, lambda px, py: not self._is_wrong(row, px, py, taker, 0.0)
         )
         return (*place, scene.body[row][2]) if place else None

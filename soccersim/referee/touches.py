@@ -49,14 +49,16 @@ class Touches:
             self.pass_needed[whose] = scene.direction[whose] * place[0] < 0.0
 
     def read(self, watch: Watch) -> list[Touch]:
-        """The touches since the last call, in order."""
+        """The touches since the last call, in order, up to where the ball went out."""
         logged = int(watch.logged[0])
         if logged == self.read_to:
             return []
         first = max(self.read_to, logged - LOG)
         self.read_to = logged
         rows = (watch.log[k % LOG].tolist() for k in range(first, logged))
-        return [Touch(int(r[0]), int(r[1]), r[2], r[3], r[4], int(r[5])) for r in rows]
+        touches = [Touch(int(r[0]), int(r[1]), r[2], r[3], r[4], int(r[5])) for r in rows]
+        out = watch.out[0]
+        return [touch for touch in touches if out < 0.0 or touch.tick <= out]
 
     def take(self, touch: Touch) -> None:
         """Go on in the history by a touch."""

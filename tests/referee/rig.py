@@ -113,7 +113,9 @@ class Rig:
 
     def to_start(self):
         """Up to the START of the restart that is on."""
-        return self.until(lambda: self.phase not in (Phase.STOP, Phase.PLAY) and self.referee.started)
+        return self.until(
+            lambda: self.phase not in (Phase.STOP, Phase.PLAY) and self.referee.started
+        )
 
     def to_play(self):
         """Up to where the ball is in play, after nobody has touched it."""
