@@ -1,15 +1,16 @@
 """Ways round other robots, round the ball, and round the own penalty area."""
 
 from collections.abc import Sequence
-from math import hypot, sqrt
+from math import asin, atan2, cos, hypot, pi, sin, sqrt
 
 from soccersim.strategy.api import Player, View
-from soccersim.strategy.motion import velocity
+from soccersim.strategy.motion import BRAKING, velocity
 
 MARGIN = 0.12  # m of air between two robots
 FORESIGHT = 1.0  # s at most that others are expected to go on as they go
 TRIES = 4  # obstacles one behind the other
-SWAY = 0.15  # s: a robot under way to one side keeps to that side
+SWAY = 0.1  # rad per m/s: a robot under way to one side keeps to that side
+DRIFT = 0.08  # m that a robot may be carried beyond a corner of its way
 INSIDE = 0.3  # m from the board that a way may come
 
 Disc = tuple[float, float, float]  # x, y, radius to keep the robot's centre away by; m
@@ -59,44 +60,106 @@ def first_in_the_way(start: Point, end: Point, discs: Sequence[Disc]) -> Disc | 
     return found
 
 
-def beside(start: Point, disc: Disc, side: float) -> Point:
-    """Where the tangent from start touches the disc; side: 1 leaves it to the right, -1 left."""
-    ox, oy = disc[0] - start[0], disc[1] - start[1]
-    far2 = ox * ox + oy * oy
-    radius = 1.02 * disc[2]
-    reach2 = max(far2 - radius * radius, 1e-4 * far2)
-    # turn the way to the centre by asin(radius / far), and shorten it to the point of touch
-    c, s = reach2 / far2, side * radius * sqrt(reach2) / far2
-    return start[0] + c * ox - s * oy, start[1] + s * ox + c * oy
-
-
 def next_point(
     view: View, player: Player, x: float, y: float, discs: Sequence[Disc]
-) -> tuple[float, float, float]:
-    """Where a robot heads for on its way to (x, y) past the discs, and metres from there on."""
+) -> tuple[float, float, float, float]:
+    """Where a robot heads for on its way to (x, y) past the discs, how far it is from there on,
+    and how fast it may be now: x, y, m, m/s.
+
+    Discs that leave no gap between them are passed as one, on the side that is less of a detour.
+    """
     start, target = (player.x, player.y), (x, y)
     disc = first_in_the_way(start, target, discs)
     if disc is None:
-        return x, y, 0.0
+        return x, y, 0.0, player.body.speed
     vx, vy = velocity(player)
     dx, dy = x - player.x, y - player.y
-    far = hypot(dx, dy)
-    aside = (dx * (disc[1] - player.y) - dy * (disc[0] - player.x)) / far
-    sway = SWAY * (dx * vy - dy * vx) / far
-    side = -1.0 if aside > sway else 1.0
-    point = beside(start, disc, side)
-    field = view.field
-    most_x = field.length / 2.0 + field.border - INSIDE
-    most_y = field.width / 2.0 + field.border - INSIDE
-    if abs(point[0]) > most_x or abs(point[1]) > most_y:
-        side = -side
-        point = beside(start, disc, side)
+    sway = SWAY * (dx * vy - dy * vx) / hypot(dx, dy)
+    crowd, rest = [disc], [each for each in discs if each[:2] != disc[:2]]
+    side = 0.0
+    point = target
     for _ in range(TRIES):
-        disc = first_in_the_way(start, point, discs)
+        gather(crowd, rest, start, target)
+        left, right = edges(start, target, crowd)
+        if not side:
+            side = 1.0 if left[0] - sway < sway - right[0] else -1.0
+            if not on_carpet(view, spot(start, target, left if side > 0 else right)):
+                side = -side
+        point = spot(start, target, left if side > 0 else right)
+        disc = first_in_the_way(start, point, rest)
         if disc is None:
             break
-        point = beside(start, disc, side)
-    return point[0], point[1], hypot(x - point[0], y - point[1])
+        crowd.append(disc)
+        rest = [each for each in rest if each[:2] != disc[:2]]
+    fast = corner_speed(player, point, target, rest)
+    return point[0], point[1], hypot(x - point[0], y - point[1]), fast
+
+
+def corner_speed(player: Player, point: Point, target: Point, rest: Sequence[Disc]) -> float:
+    """How fast a robot may be now so that it can turn at the point to the way that follows, m/s."""
+    start = player.x, player.y
+    ahead = target
+    disc = first_in_the_way(point, target, rest)
+    if disc:
+        left, right = edges(point, target, [disc])
+        ahead = spot(point, target, left if left[0] < -right[0] else right)
+    dx, dy = point[0] - start[0], point[1] - start[1]
+    ex, ey = ahead[0] - point[0], ahead[1] - point[1]
+    turn = abs(atan2(dx * ey - dy * ex, dx * ex + dy * ey))
+    a = BRAKING * player.body.acceleration
+    # across the old way it needs v sin(turn), and drifts v2 sin2 / 2a until it has that
+    slow2 = 2.0 * a * DRIFT / max(sin(min(turn, pi / 2.0)) ** 2, 1e-6)
+    return sqrt(slow2 + 2.0 * a * hypot(dx, dy))
+
+
+def gather(crowd: list[Disc], rest: list[Disc], start: Point, target: Point) -> None:
+    """Move to the crowd what overlaps one of it; a robot does not fit between."""
+    for disc in crowd:  # it grows while it is read
+        for other in list(rest):
+            if hypot(disc[0] - other[0], disc[1] - other[1]) < disc[2] + other[2]:
+                rest.remove(other)
+                crowd.append(shrunk(other, start, target))
+
+
+def shrunk(disc: Disc, start: Point, target: Point) -> Disc:
+    """A disc that neither the start nor the target is in."""
+    x, y, radius = disc
+    to_start, to_target = hypot(start[0] - x, start[1] - y), hypot(target[0] - x, target[1] - y)
+    return x, y, min(radius, 0.98 * to_start, 0.98 * to_target)
+
+
+def edges(
+    start: Point, target: Point, crowd: Sequence[Disc]
+) -> tuple[tuple[float, float], tuple[float, float]]:
+    """The outermost tangents of a crowd, left and right: angle off the straight way, length."""
+    dx, dy = target[0] - start[0], target[1] - start[1]
+    left, right = (-9.0, 0.0), (9.0, 0.0)
+    for x, y, radius in crowd:
+        ox, oy = x - start[0], y - start[1]
+        far = hypot(ox, oy) + 1e-9
+        off = atan2(dx * oy - dy * ox, dx * ox + dy * oy)
+        half = asin(min(radius / far, 0.98))
+        length = sqrt(max(far * far - radius * radius, 0.0))
+        left = max(left, (off + half, length))
+        right = min(right, (off - half, length))
+    return left, right
+
+
+def spot(start: Point, target: Point, edge: tuple[float, float]) -> Point:
+    """The point where a tangent touches."""
+    dx, dy = target[0] - start[0], target[1] - start[1]
+    part = edge[1] / hypot(dx, dy)
+    c, s = part * cos(edge[0]), part * sin(edge[0])
+    return start[0] + c * dx - s * dy, start[1] + s * dx + c * dy
+
+
+def on_carpet(view: View, point: Point) -> bool:
+    """Whether a robot can be there without touching the boards."""
+    field = view.field
+    return (
+        abs(point[0]) < field.length / 2.0 + field.border - INSIDE
+        and abs(point[1]) < field.width / 2.0 + field.border - INSIDE
+    )
 
 
 def round_area(view: View, player: Player, x: float, y: float) -> tuple[float, float, float]:

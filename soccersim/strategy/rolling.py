@@ -1,16 +1,14 @@
 """Where a ball will be, how hard to kick it, and where a robot meets it."""
 
-from collections.abc import Iterator
 from math import hypot, sqrt
 
 from soccersim.strategy.api import Ball, Pitch, Player
 from soccersim.strategy.motion import LAG, time_to
 
 SHELL = 2.0 / 3.0  # moment of inertia of a hollow ball over m r2
-SOON = 0.04  # s, one decision
-GROWTH = 1.2  # each moment looked at is later by this factor
-LATEST = 8.0  # s
-HALVINGS = 4
+SOON = 0.04  # s, one decision: so exact is the moment of a meeting
+STEPS = 14  # at most, towards that moment
+BOLDEST = 0.4  # of the surest rate: bolder steps pass over a moment at which a fast ball is met
 
 
 def ball_at(field: Pitch, ball: Ball, seconds: float) -> tuple[float, float]:
@@ -53,50 +51,56 @@ def kick_time(field: Pitch, far: float, speed: float) -> float:
     return spent + 2.0 * far / (speed + sqrt(speed * speed - 2.0 * roll * far))
 
 
-def moments() -> Iterator[float]:
-    """Seconds from now at which a meeting is tried, ever farther apart."""
-    t = SOON
-    while t < LATEST:
-        yield t
-        t = t * GROWTH + SOON
-
-
 def meeting(field: Pitch, ball: Ball, player: Player) -> tuple[float, float, float]:
-    """Where and when a robot can first reach the ball: x, y in m, s from now.
+    """Where and when a robot can first reach the ball with its mouth: x, y in m, s from now.
 
-    Where a ball runs out of the field before, the last place inside; where it is too fast or
-    comes to rest, where it will lie.
+    Where the ball runs out of the field before, the place where it does.
     """
-    if hypot(ball.vx, ball.vy) < 0.05:
-        return ball.x, ball.y, time_to(player, ball.x, ball.y)
-    half_length, half_width = field.length / 2.0, field.width / 2.0
+    speed = hypot(ball.vx, ball.vy)
     reach = player.body.radius + field.ball_radius
-    before = 0.0
-    for t in moments():
-        x, y = ball_at(field, ball, t)
-        out = field.rules.lines and not (abs(x) < half_length and abs(y) < half_width)
-        if out or arrives(player, x, y, reach, t):
+    fastest = rate = 1.0 + speed / player.body.speed  # at which the two can close up
+    t, x, y = 0.0, ball.x, ball.y
+    late = reaching(player, x, y, reach)
+    for _ in range(STEPS):
+        if abs(late) < SOON:
             break
-        before = t
-    else:
-        return x, y, t
-    for _ in range(HALVINGS):
-        middle = (before + t) / 2.0
-        x, y = ball_at(field, ball, middle)
-        gone = out and not (abs(x) < half_length and abs(y) < half_width)
-        if gone or (not out and arrives(player, x, y, reach, middle)):
-            t = middle
-        else:
-            before = middle
-    x, y = ball_at(field, ball, before if out else t)
+        step = max(late / rate, SOON - t)
+        t += step
+        x, y = ball_at(field, ball, t)
+        if field.rules.lines and not field_has(field, x, y):
+            x, y = last_inside(field, ball, x, y)
+            break
+        still = reaching(player, x, y, reach) - t
+        if step:  # the next step goes on as this one went (secant)
+            rate = min(max((late - still) / step, BOLDEST * fastest), fastest)
+        late = still
     return x, y, t
 
 
-def arrives(player: Player, x: float, y: float, reach: float, seconds: float) -> bool:
-    """Whether a robot's mouth can be at a point in that time."""
+def reaching(player: Player, x: float, y: float, reach: float) -> float:
+    """Seconds until a robot's mouth can be at a point."""
     far = hypot(x - player.x, y - player.y)
     if far <= reach:
-        return True
+        return 0.0
     keep = (far - reach) / far
-    near_x, near_y = player.x + keep * (x - player.x), player.y + keep * (y - player.y)
-    return time_to(player, near_x, near_y) + LAG <= seconds
+    there = player.x + keep * (x - player.x), player.y + keep * (y - player.y)
+    return time_to(player, *there) + LAG
+
+
+def field_has(field: Pitch, x: float, y: float) -> bool:
+    """Whether a place lies within the lines."""
+    return abs(x) <= field.length / 2.0 and abs(y) <= field.width / 2.0
+
+
+def last_inside(field: Pitch, ball: Ball, x: float, y: float) -> tuple[float, float]:
+    """Where the way from the ball to a place outside crosses the line; the ball, if it is out."""
+    if not field_has(field, ball.x, ball.y):
+        return ball.x, ball.y
+    dx, dy = x - ball.x, y - ball.y
+    most_x, most_y = field.length / 2.0, field.width / 2.0
+    part = 1.0
+    if abs(x) > most_x:
+        part = (most_x - abs(ball.x) * (1 if ball.x * x > 0 else -1)) / abs(dx)
+    if abs(y) > most_y:
+        part = min(part, (most_y - abs(ball.y) * (1 if ball.y * y > 0 else -1)) / abs(dy))
+    return ball.x + part * dx, ball.y + part * dy

@@ -101,8 +101,9 @@ def go_to(
         x, y, beyond = paths.round_area(view, player, x, y)
     discs = [*keep_off, *(paths.others(view, player) if avoid else ())]
     if discs:
-        x, y, more = paths.next_point(view, player, x, y, discs)
+        x, y, more, fast = paths.next_point(view, player, x, y, discs)
         beyond += more
+        speed = fast if speed is None else min(speed, fast)
     if heading is None:
         heading = towards(player, view.ball.x, view.ball.y) if view.ball else player.heading
     return Command(*drive_to(player, x, y, heading, speed=speed, beyond=beyond))

@@ -11,12 +11,13 @@ Twist = tuple[float, float, float]  # m/s, m/s, rad/s; body frame
 Point = tuple[float, float]
 
 LYING = 0.3  # m/s; a slower ball is taken where it lies
-TOUCH = 0.4  # m/s over the ball's speed, with which a robot comes to it: it hardly bounces off
+TOUCH = 0.6  # m/s over the ball's speed, with which a robot comes to it: it hardly bounces off
 DEEPER = TOUCH / GAIN  # m beyond the ball's edge that the robot steers for, to be so fast
 AT_HAND = 0.7  # s to the ball: nearer, it is run down instead of waited for
 FRONTAL = 0.7  # cosine: a ball that comes at the robot so straight is waited for
+IN_LINE = 0.06  # m aside of it at which the mouth still takes the ball
 BEHIND = 0.6  # m aside of the line through the ball, per metre behind it: more, go round it
-STAND_OFF = 0.12  # m of air between robot and ball on the way round it
+STAND_OFF = 0.1  # m of air between robot and ball on the way round it
 SLOPE = 2.0  # m farther behind the ball for each metre aside of the line
 
 
@@ -56,7 +57,7 @@ def fetch(view: View, player: Player, ball: Ball, aim: Point | None, avoid: bool
         target = ball.x - behind * to_x, ball.y - behind * to_y
         round_it = (ball.x, ball.y, reach + STAND_OFF)
         return travel(view, player, target, heading, avoid, (round_it,))
-    behind = reach - DEEPER + min(SLOPE * aside, STAND_OFF + DEEPER)
+    behind = reach - DEEPER + min(SLOPE * max(aside - IN_LINE, 0.0), STAND_OFF + DEEPER)
     target = ball.x - behind * to_x, ball.y - behind * to_y
     return travel(view, player, target, heading, avoid)
 
@@ -96,5 +97,6 @@ def travel(
     beyond = 0.0
     discs = [*keep_off, *paths.others(view, player)] if avoid else keep_off
     if discs:
-        x, y, beyond = paths.next_point(view, player, x, y, discs)
+        x, y, beyond, fast = paths.next_point(view, player, x, y, discs)
+        speed = fast if speed is None else min(speed, fast)
     return drive_to(player, x, y, heading, speed=speed, turn_rate=turn_rate, beyond=beyond)
