@@ -1,0 +1,1 @@
+"""A match: two teams, a referee, and the loop that brings them together."""
