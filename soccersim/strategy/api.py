@@ -109,7 +109,7 @@ class Pitch:
 
 @dataclass(frozen=True, slots=True)
 class Player:
-    """A robot of the own team, as its last report tells it."""
+    """A robot of the own team, as its last report told it, carried on to now."""
 
     number: int
     x: float  # m

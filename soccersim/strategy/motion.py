@@ -46,7 +46,7 @@ def turn_to(player: Player, heading: float, fastest: float | None = None) -> flo
     """The rate of turning that brings a robot to a heading, rad/s."""
     body = player.body
     most = body.turn_rate if fastest is None else min(fastest, body.turn_rate)
-    left = wrap(heading - player.heading - player.omega * (player.age + LAG))
+    left = wrap(heading - player.heading - player.omega * LAG)
     rate = min(pace(abs(left), TURNING * body.turn_acceleration, TURN_GAIN), most)
     return rate if left > 0 else -rate
 
@@ -69,12 +69,11 @@ def drive_to(
     """
     body = player.body
     most = body.speed if speed is None else min(speed, body.speed)
-    lead = player.age + LAG
     vx, vy = velocity(player)
     if beyond > 0:
         x, y = passed(player, x, y)
-    dx = x - player.x - lead * (vx - run[0])
-    dy = y - player.y - lead * (vy - run[1])
+    dx = x - player.x - LAG * (vx - run[0])
+    dy = y - player.y - LAG * (vy - run[1])
     far = hypot(dx, dy)
     fast = pace(far + beyond, BRAKING * body.acceleration, GAIN) / far if far > 0 else 0.0
     wx, wy = run[0] + fast * dx, run[1] + fast * dy
@@ -82,13 +81,13 @@ def drive_to(
     if wanted > most:
         wx, wy = wx * most / wanted, wy * most / wanted
     omega = turn_to(player, heading, turn_rate)
-    at = player.heading + player.omega * lead  # as it will stand when it moves like this
+    at = player.heading + player.omega * LAG  # as it will stand when it moves like this
     c, s = cos(at), sin(at)
     return c * wx + s * wy, c * wy - s * wx, omega
 
 
 def passed(player: Player, x: float, y: float) -> tuple[float, float]:
-    """A point on the line through a point to pass, so far on that the robot does not hunt for it."""
+    """A point to pass, or one behind it in line: nearer than AHEAD, a robot would hunt for it."""
     dx, dy = x - player.x, y - player.y
     far = hypot(dx, dy)
     part = max(AHEAD / far, 1.0) if far > 0 else 1.0

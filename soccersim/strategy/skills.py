@@ -5,11 +5,9 @@ the ball stand still while nobody has seen it. Change what one gives with
 dataclasses.replace(command, label="press").
 """
 
-from collections.abc import Sequence
-from math import asin, atan2, cos, hypot, pi, sin
+from math import asin, atan2, hypot
 
-from soccersim.strategy import paths
-from soccersim.strategy.api import Command, Phase, Player, View
+from soccersim.strategy.api import Command, Player, View
 from soccersim.strategy.motion import (
     distance,
     drive_to,
@@ -19,6 +17,7 @@ from soccersim.strategy.motion import (
     velocity,
     wrap,
 )
+from soccersim.strategy.moves import face, go_to
 from soccersim.strategy.openings import (
     RECEIVE,
     best_pass,
@@ -27,6 +26,7 @@ from soccersim.strategy.openings import (
     lead,
     nearest,
 )
+from soccersim.strategy.restarts import keep_distance, may_play, stand_ready
 from soccersim.strategy.rolling import ball_at, kick_speed, meeting
 from soccersim.strategy.taking import take, travel
 
@@ -50,6 +50,7 @@ __all__ = [
     "nearest",
     "pass_to",
     "shoot",
+    "stand_ready",
     "stop_shot",
     "time_to",
     "towards",
@@ -65,53 +66,7 @@ AT_MOUTH = 0.6  # m of air to the ball, from which the dribbler runs
 TRIGGER = 0.05  # s from a view to the kick that it leads to; the heading must be right then
 SURE, FINE = 0.15, 0.02  # rad, the widest and the finest error of heading with which a robot kicks
 HIT = 0.3  # m, by which a pass may miss its mate
-AROUND = tuple(side * step * pi / 8 for step in range(9) for side in (1, -1))  # rad
-ROOM = 0.3  # m more than the rules' distance from the ball: nobody knows exactly where it is
 SHOT = 0.8  # m/s; a ball that comes faster towards the goal is stopped on its way
-
-
-def may_play(view: View) -> bool:
-    """Whether a robot of ours may go for the ball now: play is on, or the restart is ours."""
-    if view.phase is Phase.PLAY:
-        return True
-    return view.started and view.phase not in (Phase.STOP, Phase.OVER) and view.ours is not False
-
-
-def go_to(
-    view: View,
-    player: Player,
-    x: float,
-    y: float,
-    heading: float | None = None,
-    *,
-    speed: float | None = None,
-    avoid: bool = True,
-    keep_off: Sequence[tuple[float, float, float]] = (),
-    area: bool = True,
-) -> Command:
-    """Go to a place and stop there.
-
-    heading: to stand with; None: looking at the ball. speed: at most, m/s. avoid: round other
-    robots. keep_off: discs (x, y, radius) that the robot's centre keeps out of. area: False keeps
-    it out of the own penalty area.
-    """
-    beyond = 0.0
-    if not area:
-        x, y = paths.out_of_area(view, player, x, y)
-        x, y, beyond = paths.round_area(view, player, x, y)
-    discs = [*keep_off, *(paths.others(view, player) if avoid else ())]
-    if discs:
-        x, y, more, fast = paths.next_point(view, player, x, y, discs)
-        beyond += more
-        speed = fast if speed is None else min(speed, fast)
-    if heading is None:
-        heading = towards(player, view.ball.x, view.ball.y) if view.ball else player.heading
-    return Command(*drive_to(player, x, y, heading, speed=speed, beyond=beyond))
-
-
-def face(view: View, player: Player, x: float, y: float) -> Command:
-    """Stand and turn towards a place."""
-    return Command(omega=turn_to(player, towards(player, x, y)))
 
 
 def intercept(
@@ -152,7 +107,7 @@ def kick_at(view: View, player: Player, x: float, y: float, speed: float, sure: 
     along, across = (dx * vx + dy * vy) / far, (dx * vy - dy * vx) / far
     speed = min(max(speed - along, 0.5), player.body.kick_speed)
     heading = atan2(dy, dx) - asin(min(max(across / speed, -0.5), 0.5))
-    off = wrap(heading - player.heading - player.omega * (player.age + TRIGGER))
+    off = wrap(heading - player.heading - player.omega * TRIGGER)
     ready = abs(off) < min(max(sure, FINE), SURE)
     omega = turn_to(player, heading, CARRY_TURN)
     return Command(omega=omega, kick=speed if ready else 0.0, dribble=True)
@@ -221,38 +176,3 @@ def stop_shot(view: View, player: Player) -> Command | None:
     late = time_to(player, x, y) > along / speed
     twist = drive_to(player, x, y, atan2(-uy, -ux), beyond=1.0 if late else 0.0)
     return Command(*twist, dribble=True)
-
-
-def keep_distance(
-    view: View, player: Player, x: float, y: float, far: float | None = None
-) -> Command:
-    """Go to a place, but stay away from the ball: for restarts.
-
-    far: m from the ball; None: what the rules ask at this restart, and some room.
-    """
-    ball = view.ball
-    if ball is None:
-        return go_to(view, player, x, y)
-    if far is None:
-        rules = view.field.rules
-        asked = rules.mates if view.ours else rules.opponents
-        far = ROOM + (rules.dropped_ball if view.phase is Phase.DROPPED_BALL else asked)
-    off = hypot(player.x - ball.x, player.y - ball.y)
-    near = hypot(x - ball.x, y - ball.y)
-    if near < far or off < far - ROOM / 2:  # the place, or the robot, is too near: straight away
-        fx, fy = (x, y) if near > 0.1 and off > 0.8 * far else (player.x, player.y)
-        x, y = away(view, fx, fy, far)
-    return go_to(view, player, x, y, keep_off=((ball.x, ball.y, far - ROOM / 2),))
-
-
-def away(view: View, x: float, y: float, far: float) -> Point:
-    """The place so far from the ball in the direction of (x, y), turned till it is on the field."""
-    ball, field = view.ball, view.field
-    if ball is None:
-        return x, y
-    way = atan2(y - ball.y, x - ball.x)
-    for turned in AROUND:
-        ax, ay = ball.x + far * cos(way + turned), ball.y + far * sin(way + turned)
-        if abs(ax) < field.length / 2.0 and abs(ay) < field.width / 2.0:
-            return ax, ay
-    return ax, ay
