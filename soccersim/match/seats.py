@@ -120,7 +120,8 @@ def raised_by_the_loader(error: BaseException) -> bool:
     trace = error.__traceback__
     while trace and trace.tb_next:
         trace = trace.tb_next
-    return bool(trace) and trace.tb_frame.f_globals.get("__name__") == load_team.__module__
+    name = trace.tb_frame.f_globals.get("__name__") if trace else None
+    return bool(name == load_team.__module__)
 
 
 class LostSeat:

@@ -1,0 +1,110 @@
+"""The process of one match: it plays what request.json says, and leaves outcome.json."""
+
+import json
+import os
+import threading
+from collections.abc import Callable
+from contextlib import suppress
+from mmap import mmap
+from pathlib import Path
+from time import perf_counter
+from typing import Any
+
+from soccersim.match.memory import MEBIBYTE, TEAM, limit_memory
+from soccersim.match.processes import end_group
+from soccersim.match.traces import keep_traces
+from soccersim.match.turn import Turn
+from soccersim.problems import InputError, MachineError
+
+OWN = 512 * MEBIBYTE  # for what is recorded and compiled while both teams play
+Document = dict[str, Any]
+REQUEST, OUTCOME, TRACE, TURN = "request.json", "outcome.json", "trace", "turn"
+
+
+def main(folder: str) -> None:
+    """What the process does."""
+    serve(Path(folder), play)
+
+
+def serve(folder: Path, work: Callable[[Document, Turn, Path], Document]) -> None:
+    """Do the work that request.json asks for; end with all threads that teams have left."""
+    with open(folder / TURN, "r+b") as file:
+        turn = Turn(mmap(file.fileno(), 0))
+    parent = os.dup(0)
+    nothing = os.open(os.devnull, os.O_RDONLY)
+    os.dup2(nothing, 0)  # what strategies may read: there is no input
+    os.close(nothing)
+    threading.Thread(target=follow_parent, args=(parent, turn), daemon=True).start()
+    keep_traces(folder / TRACE)
+    outcome = told(lambda: work(json.loads((folder / REQUEST).read_text("utf-8")), turn, folder))
+    part = folder / (OUTCOME + ".part")
+    part.write_text(json.dumps(outcome), encoding="utf-8")
+    part.replace(folder / OUTCOME)
+    os._exit(0)
+
+
+def told(work: Callable[[], Document]) -> Document:
+    """What the work leads to; where it fails, how."""
+    try:
+        return work()
+    except InputError as error:
+        return {"problems": [str(problem) for problem in error.problems]}
+    except MachineError as error:
+        return {"machine": str(error)}
+    except BaseException as error:
+        import traceback
+
+        return {"failed": str(error) or type(error).__name__, "trace": traceback.format_exc()}
+
+
+def play(request: Document, turn: Turn, folder: Path) -> Document:
+    """The match itself."""
+    from soccersim.match.game import Game
+    from soccersim.match.seating import take_seats
+    from soccersim.spec.scenario import Scenario
+    from soccersim.strategy.load import Origin
+
+    scenario = Scenario.model_validate_json(request["scenario"])
+    home, away = (Origin(**origin) for origin in request["origins"])
+    game = Game(scenario, turn)
+    if request["isolate"] == "match":
+        limit_memory(2 * TEAM + OWN)
+    seats = take_seats(scenario, (home, away), request["isolate"], turn, folder)
+    start = perf_counter()
+    result = game.play(seats)
+    seconds = perf_counter() - start
+    for seat in seats:
+        seat.close()
+    recording = result.recording
+    if request["recording"]:
+        keep_standard_files()
+        recording.save(request["recording"])
+    match = recording.match or {}
+    return {
+        "score": list(result.score),
+        "digest": recording.digest,
+        "duration": recording.duration,
+        "events": match["events"],
+        "faults": match["faults"],
+        "realtime_factor": recording.duration / seconds,
+    }
+
+
+def keep_standard_files() -> None:
+    """Where a team has closed them, no file of ours may get their numbers: prints would go in."""
+    for number in (0, 1, 2):
+        try:
+            os.fstat(number)
+        except OSError:
+            os.open(os.devnull, os.O_RDWR)
+
+
+def follow_parent(parent: int, turn: Turn) -> None:
+    """End with the process that asked for this match, however that ends: it holds a pipe open."""
+    with suppress(OSError):
+        while os.read(parent, 64):
+            pass
+        for pid in turn.processes:
+            if pid:
+                end_group(pid)
+        end_group(os.getpid())
