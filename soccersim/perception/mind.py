@@ -8,6 +8,7 @@ from soccersim.estimation.ball_track import BallTracks, build_ball_tracks, put_d
 from soccersim.estimation.localisation import Localisation, build_localisation
 from soccersim.estimation.opponents import Opponents, build_opponents
 from soccersim.sensing.camera import Camera, Draws, Frames, build_camera, new_frames
+from soccersim.spec.robot import GRAVITY
 from soccersim.spec.scenario import Scenario
 from soccersim.state import Array, Whole
 
@@ -72,7 +73,8 @@ def build_known(scenario: Scenario) -> Known:
     count = len(players)
     team = np.array([int(player.team == "away") for player in players], np.int64)
     starts = np.array([at.field_pose(player.start) for player in players], float)
-    balls = build_ball_tracks(field.ball_rolling, scenario.dt)
+    friction = max(GRAVITY * field.ball_friction, 1e-6)
+    balls = build_ball_tracks(field.ball_rolling, friction, ball.shell, scenario.dt)
     put_down(balls, *at.field_pose((*ball.at, 0.0))[:2], -1)
     return Known(
         team=team,

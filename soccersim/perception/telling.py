@@ -2,7 +2,7 @@
 
 from math import pi
 
-from soccersim.estimation.ball_track import UNSEEN, BallTracks, rolled
+from soccersim.estimation.ball_track import UNSEEN, BallTracks, gone_on
 from soccersim.estimation.opponents import FREE
 from soccersim.geometry import rotate, se2_arc, wrap_angle
 from soccersim.kernel import inner, kernel
@@ -48,8 +48,7 @@ def _tell_ball(
     if balls.seen[slot] == UNSEEN:
         sheet[BALL_KNOWN] = 0.0
         return
-    ahead = (tick - balls.time[slot]) * dt
-    x, y, vx, vy = rolled(balls.state[slot], ahead, balls.rolling)
+    x, y, vx, vy = gone_on(balls, slot, tick)
     sheet[BALL_KNOWN] = 1.0
     sheet[BALL] = way * min(max(x, -walls[0]), walls[0])
     sheet[BALL + 1] = way * min(max(y, -walls[1]), walls[1])

@@ -79,7 +79,7 @@ class Localisation(Spec):
 
     slip: NonNegative = 0.1
     """Error of a step as a share of it (estimate; Tribots and CAMBADA count on .375)."""
-    wander: NonNegative = 0.05
+    wander: NonNegative = 0.1
     """Random walk on top, m per root second (estimate)."""
     turn_slip: NonNegative = 0.02
     """Error of a turn as a share of it (estimate: a gyro's scale)."""
