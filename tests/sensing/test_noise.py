@@ -6,6 +6,7 @@ from factory import merged, player, robot, scenario, simulate
 
 from soccersim.sensing.noise import BLOCK, NoiseSource
 from soccersim.simulation import Simulation
+from soccersim.streams import stream
 
 REAL = {
     "drive": {"encoder": {"perfect": False, "pulses_per_turn": 360, "missed": 0.02}},
@@ -115,3 +116,40 @@ def test_a_block_of_noise_is_used_once():
         seen.append(source.noise.gyro_white[:, 0].copy())
     assert tick == 4 * BLOCK * 5  # samples at 100 Hz, ticks at 500
     assert len(np.unique(np.concatenate(seen))) == 4 * BLOCK
+
+
+# --- kicks: counted, not clocked
+
+KICKER = {"kicker": {"recharge": 0.1}}
+
+
+def test_every_kick_has_a_row_of_its_own_however_many_there_are():
+    """Kick n finds row n of its robot's stream, whenever blocks are filled up."""
+    kicks = np.zeros(2, np.int64)
+    source = NoiseSource([real(), real(**KICKER)], 3, 500, 4, kicks)
+    rng, found = np.random.default_rng(0), []
+    while len(found) < 3 * BLOCK:
+        end = source.prepare(0, 10**9)
+        assert end == BLOCK * 50  # ticks: as many kicks as there are rows
+        for _ in range(rng.integers(0, BLOCK + 1)):
+            found.append(source.noise.kick[kicks[1] % BLOCK, 1].copy())
+            kicks[1] += 1
+    expected = stream(4, 1, "kick").standard_normal((len(found), 2))
+    np.testing.assert_array_equal(found, expected)
+    assert not source.noise.kick[:, 0].any()
+
+
+def test_a_kicker_more_leaves_all_else_as_it_was():
+    plain, kicking = (NoiseSource([model], 3, 500, 4) for model in (real(), real(**KICKER)))
+    for source in (plain, kicking):
+        source.prepare(0, 1)
+    for name in ("gyro_white", "gyro_walk", "missed"):
+        assert (getattr(plain.noise, name) == getattr(kicking.noise, name)).all()
+
+
+def test_equal_robots_do_not_kick_alike():
+    source = NoiseSource([real(**KICKER)] * 2, 3, 500, 0)
+    source.prepare(0, 1)
+    first, second = source.noise.kick[:, 0], source.noise.kick[:, 1]
+    assert abs(np.corrcoef(first[:, 0], second[:, 0])[0, 1]) < 4 / BLOCK**0.5
+    assert abs(np.corrcoef(first[:, 0], first[:, 1])[0, 1]) < 4 / BLOCK**0.5
