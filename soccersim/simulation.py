@@ -224,7 +224,7 @@ class Simulation:
     def _kept(self, key: str, count: int, chain: Chain) -> np.ndarray[Any, Any]:
         """The first records of an array of the log, as they are kept."""
         array = chain if key == "chain" else getattr(self.machine.log, key)[:count]
-        return rounded(key, array) if self.scenario.match else array.copy()
+        return rounded(key, array.copy()) if self.scenario.match else array.copy()
 
     def _legs(self, robot: int) -> list[dict[str, Any]]:
         """The legs that ended, and the one that the end of the run cut short; field frame."""
