@@ -10,7 +10,8 @@ PACKAGE = Path(__file__).parents[1] / "soccersim"
 FOUNDATION = {"problems", "kernel", "geometry", "streams", "kinematics", "spec", "state"}
 PARTS = {"plant", "sensing", "estimation", "control"}
 ARMS = {"limbs", "arm_report"}
-MATCH = {"sheet", "strategy", "referee", "perception", "match", "match_report", "verify"}
+TOLD = {"sheet", "touches", "match_report"}  # of a match, from its recording
+MATCH = {"strategy", "referee", "perception", "match", "verify"} | TOLD
 LOOP = {"limbs", "machine", "simulation", "record"}
 ALL = FOUNDATION | PARTS | ARMS | LOOP | {"bundled", "report", "workers", "repeat"}
 MAY_IMPORT = {  # part: what it may import besides itself and the name and version on top
@@ -27,7 +28,7 @@ MAY_IMPORT = {  # part: what it may import besides itself and the name and versi
     **dict.fromkeys(PARTS, FOUNDATION),  # never each other
     "record": {"problems", "kernel", "spec", "state"},
     # recordings are its world; of state it takes the names of types
-    "render": {"problems", "kinematics", "spec", "record", "bundled", "state"},
+    "render": {"problems", "kinematics", "spec", "record", "bundled", "state"} | TOLD,
     "arm_report": {"record", "spec"},
     "report": {"record", "spec", "arm_report"},
     "limbs": FOUNDATION | PARTS,
@@ -37,7 +38,8 @@ MAY_IMPORT = {  # part: what it may import besides itself and the name and versi
     "machine": FOUNDATION | PARTS | {"record", "limbs", "referee"},
     "simulation": FOUNDATION | PARTS | {"record", "limbs", "machine", "referee"},
     "match": ALL | MATCH - {"verify"},
-    "match_report": {"record", "spec"},
+    "touches": {"record", "sheet"},
+    "match_report": {"record", "sheet", "touches"},
     "verify": {"problems", "record", "simulation", "match"},
     "repeat": {"record", "report", "simulation", "spec", "workers"},
     "bench": ALL | {"render"},

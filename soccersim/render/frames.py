@@ -1,6 +1,7 @@
 """Film frames of a recording, drawn off-screen: no display is needed."""
 
 from collections.abc import Callable
+from functools import cache
 from io import BytesIO
 from os import PathLike
 from pathlib import Path
@@ -12,8 +13,11 @@ from soccersim.problems import MachineError
 from soccersim.record.recording import Recording
 from soccersim.render import look
 from soccersim.render.hud import Hud
+from soccersim.render.match_hud import MatchHud
+from soccersim.render.match_play import MatchPlay
 from soccersim.render.pitch import View, paint_pitch
 from soccersim.render.play import Play
+from soccersim.render.story import Story
 from soccersim.render.trails import Trails
 
 Progress = Callable[[int, int], None]  # how many frames are done, of how many
@@ -23,26 +27,29 @@ class FrameRenderer:
     """Draws the records of one recording; the same record gives the same pixels, always."""
 
     def __init__(self, recording: Recording, size: tuple[int, int] = look.SIZE) -> None:
-        field = recording.scenario.field
         scale = look.scale(size)
+        self.field = recording.scenario.field
         self.records = range(len(recording.tick))
-        self.view = View.fit(field, size, round(look.BAND * scale))
-        self.hud = Hud(recording, size)
+        self.view = View.fit(self.field, size, round(look.BAND * scale))
         self.trails = Trails(recording, self.view)
-        self.play = Play(recording, self.view, scale)
-        self.surface, self.ground, self.background = (pygame.Surface(size, 0, 32) for _ in range(3))
-        self.background.fill(look.PAGE)
-        self.background.blit(paint_pitch(field, self.view), self.view.frame)
-        self.hud.paint(self.background)
-        self.ground.blit(self.background, (0, 0))
-        self.ground.set_clip(self.view.frame)  # once filled, only play changes it
-        self.pieces = -1  # of the trails that lie on the ground
+        self.hud: Hud | MatchHud
+        if recording.match is None:
+            self.story = None
+            self.hud = Hud(recording, size)
+            self.play = Play(recording, self.view, scale)
+        else:
+            self.story = Story(recording)
+            self.hud = MatchHud(recording, size, self.story)
+            self.play = MatchPlay(recording, self.view, scale, self.story)
+        self.surface, self.ground = (pygame.Surface(size, 0, 32) for _ in range(2))
+        self.background = cache(self._background)
+        self.laid = (0, 0)  # what lies on the ground: pieces of the trails, home's goal's side
 
     def draw(self, index: int) -> pygame.Surface:
         """The picture of one record. The next draw() paints over it: copy it to keep it."""
         index = self.records[index]
         surface = self.surface
-        self._lay_ground(self.trails.finished(index))
+        self._lay_ground(self.trails.finished(index), self._home(index))
         surface.blit(self.ground, (0, 0))
         surface.set_clip(self.view.frame)
         self.trails.draw(surface, index)
@@ -51,19 +58,36 @@ class FrameRenderer:
         surface.fblits(self.hud.blits(index))
         return surface
 
-    def _lay_ground(self, pieces: int) -> None:
+    def _home(self, index: int) -> int:
+        """The sign of x at which home has its goal."""
+        return -self.story.direction[self.story.decision[index]] if self.story else -1
+
+    def _lay_ground(self, pieces: int, home: int) -> None:
         """The background with so many pieces of the trails, unless it lies there already."""
-        if pieces == self.pieces:
+        if self.laid == (pieces, home):
             return
-        self.pieces = pieces
-        self.ground.blit(self.background, (0, 0))
+        background = self.background(home)
+        self.ground.set_clip(self.view.frame if self.laid[1] else None)  # all, the first time
+        self.laid = (pieces, home)
+        self.ground.blit(background, (0, 0))
+        self.ground.set_clip(self.view.frame)
         self.trails.lay(self.ground, pieces)
+
+    def _background(self, home: int) -> pygame.Surface:
+        """What never changes, besides the sides' ends."""
+        background = pygame.Surface(self.surface.size, 0, 32)
+        background.fill(look.PAGE)
+        background.blit(paint_pitch(self.field, self.view, home), self.view.frame)
+        self.hud.paint(background)
+        return background
 
 
 def frame_indices(recording: Recording, fps: float | None = None) -> list[int]:
     """The record that each frame of a film shows: the last one before it is due."""
     fps = fps or recording.scenario.timing.frames_hz
     ticks_per_frame = float(recording.meta["physics_hz"]) / fps
+    if len(recording.tick) == 0:  # a team had lost before the match began
+        return []
     first, last = int(recording.tick[0]), int(recording.tick[-1])
     count = int((last - first) / ticks_per_frame + 1e-9) + 1
     due = first + np.arange(count) * ticks_per_frame

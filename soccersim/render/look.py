@@ -31,6 +31,7 @@ SHADOW = (8, 24, 14, 80)
 
 BALL = (255, 255, 255)  # the only pure white in a picture
 GLOW = (255, 255, 255, 60)
+BALL_TRAIL = (226, 232, 236)
 BALL_RIM = (120, 128, 136)
 BALL_PATCH = (34, 38, 44)
 

@@ -49,12 +49,12 @@ def floor(field: Field) -> tuple[float, float]:
     return field.length + 2 * field.border, field.width + 2 * field.border
 
 
-def paint_pitch(field: Field, view: View) -> pygame.Surface:
-    """The empty field, as large as the view's frame."""
+def paint_pitch(field: Field, view: View, home: int = -1) -> pygame.Surface:
+    """The empty field, as large as the view's frame; home keeps the goal at x of this sign."""
     canvas = Canvas(view.frame.size, view.px_per_m, FINE, look.BOARD)
     _paint_floor(canvas, field)
     _paint_lines(canvas, field)
-    for side, team in ((-1, "home"), (1, "away")):
+    for side, team in ((home, "home"), (-home, "away")):
         for area in (field.penalty_area, field.goal_area):
             if area:
                 _paint_area(canvas, field, area, side)

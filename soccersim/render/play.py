@@ -1,5 +1,6 @@
 """What moves on the field at one moment: targets, robots, what they believe, the ball."""
 
+from collections.abc import Sequence
 from math import cos, hypot, pi, sin
 
 import pygame
@@ -28,6 +29,8 @@ Pose = tuple[float, float, float]
 class Play:
     """Everything that moves, as sprites at their places."""
 
+    apart, turned = APART, TURNED
+
     def __init__(self, recording: Recording, view: View, scale: float) -> None:
         scenario = recording.scenario
         self.recording = recording
@@ -38,26 +41,36 @@ class Play:
         ball_radius = scenario.ball.radius if scenario.ball else BALL_RADIUS
         self.sprites = Sprites(models, ball_radius, view.px_per_m)
         self.targets = [_targets(scenario, player) for player in self.players]
-        self.numbers = [_number(player, view.px_per_m) for player in self.players]
+        self.numbers = [_numbers(player, view.px_per_m) for player in self.players]
         several = sum(map(bool, self.targets)) > 1
         self.labels = [_label(player, several, scale) for player in self.players]
 
     def draw(self, surface: pygame.Surface, index: int) -> None:
         """Targets below, robots on them, belief over both, the ball over all."""
-        bodies = self.recording.body[index, :, :3].tolist()
-        believed = self.recording.estimate[index].tolist()
-        ghosts: list[Blit] = []
         surface.fblits(self._targets(index), pygame.BLEND_PREMULTIPLIED)
+        self.draw_bodies(surface, index, self.recording.body[index, :, :3].tolist())
+        draw_arms(surface, self.view, self.recording, index)
+
+    def draw_bodies(
+        self,
+        surface: pygame.Surface,
+        index: int,
+        bodies: list[Pose],
+        in_play: Sequence[int] | None = None,
+    ) -> None:
+        """Robots, what they believe, the ball; robots that are not in play are dim."""
+        believed = self.recording.estimate[index].tolist()
+        playing = in_play or [1] * len(self.players)
+        ghosts: list[Blit] = []
         for robot, (true, belief) in enumerate(zip(bodies, believed, strict=False)):
-            if self._differ(true, belief):
+            if playing[robot] and self._differ(true, belief):
                 start, end = self.view.pixel(*true[:2]), self.view.pixel(*belief[:2])
                 pygame.draw.aaline(surface, look.BELIEVED, start, end)
                 ghosts.append(self._at("ghost", belief, self.looks[robot]))
-        surface.fblits(self._robots(bodies), pygame.BLEND_PREMULTIPLIED)
+        surface.fblits(self._robots(bodies, playing), pygame.BLEND_PREMULTIPLIED)
         if self.recording.scenario.ball:
             ghosts.append(self._at("ball", bodies[len(self.players)]))
         surface.fblits(ghosts, pygame.BLEND_PREMULTIPLIED)
-        draw_arms(surface, self.view, self.recording, index)
 
     def _at(self, kind: str, pose: Pose, robot: int = 0) -> Blit:
         """A sprite and its corner, for a pose of its centre."""
@@ -65,13 +78,14 @@ class Play:
         sprite = self.sprites.take(kind, round(pose[2] * STEPS / (2 * pi)) % STEPS, robot)
         return sprite, (round(x - sprite.width / 2), round(y - sprite.height / 2))
 
-    def _robots(self, bodies: list[Pose]) -> list[Blit]:
+    def _robots(self, bodies: list[Pose], playing: Sequence[int]) -> list[Blit]:
         blits: list[Blit] = []
-        for pose, player, kind, number in zip(
-            bodies, self.players, self.looks, self.numbers, strict=False
+        for pose, player, kind, numbers, plays in zip(
+            bodies, self.players, self.looks, self.numbers, playing, strict=False
         ):
             x, y = self.view.pixel(pose[0], pose[1])
-            blits.append(self._at(player.team, pose, kind))
+            number = numbers[plays]
+            blits.append(self._at(player.team if plays else f"{player.team} off", pose, kind))
             blits.append((number, (round(x - number.width / 2), round(y - number.height / 2))))
         return blits
 
@@ -95,7 +109,7 @@ class Play:
         """Whether one can see that a robot is not where it believes."""
         apart = hypot(true[0] - belief[0], true[1] - belief[1]) * self.view.px_per_m
         turned = (true[2] - belief[2] + pi) % (2 * pi) - pi
-        return apart > APART or abs(turned) > TURNED
+        return apart > self.apart or abs(turned) > self.turned
 
 
 def _targets(scenario: Scenario, player: Player) -> list[Pose]:
@@ -108,8 +122,12 @@ def _label(player: Player, several: bool, scale: float) -> pygame.Surface:
     return letters.word(str(player.number) if several else "")
 
 
-def _number(player: Player, px_per_m: float) -> pygame.Surface:
-    """A robot's number, to stand upright on its hub."""
+def _numbers(player: Player, px_per_m: float) -> tuple[pygame.Surface, pygame.Surface]:
+    """A robot's number, to stand upright on its hub: out of play, and in play."""
     text = str(player.number)
     size = NUMBER * HUB * player.model.radius * px_per_m * (1.0 if len(text) == 1 else 0.8)
-    return Lettering(max(size, SMALLEST), look.INK, None, bold=True).word(text)
+    dim, bright = (
+        Lettering(max(size, SMALLEST), ink, None, bold=True).word(text)
+        for ink in (look.FAINT, look.INK)
+    )
+    return dim, bright

@@ -20,6 +20,7 @@ TREAD = {"drive": 0.8, "dead": 0.6}  # thickness of a wheel beside its radius
 TARGET_RADIUS = 0.13  # m
 TARGET_LEAST = 7.0  # px
 GLOW = 9.0  # px, radius: on a large field the eye must find the ball
+DIM = 100  # of 255: how strong a robot is that is out of play
 ALPHA_GHOST = (240, 55, 215)  # of its outline, its disc and its nose
 
 
@@ -165,7 +166,10 @@ class Sprites:
         self.take = lru_cache(KEPT)(self._paint)
 
     def _paint(self, kind: str, step: int, model: int = 0) -> pygame.Surface:
-        """One of `home`, `away`, `ghost`, `target`, `ball`, turned to one of STEPS headings."""
+        """One of `home`, `away`, `ghost`, `target`, `ball`, turned to one of STEPS headings.
+
+        `home off` and `away off` are robots out of play.
+        """
         heading = step * 2 * pi / STEPS
         if kind == "ball":
             return paint_ball(self.ball_radius, self.px_per_m, heading).shrunk()
@@ -174,4 +178,8 @@ class Sprites:
         robot = self.models[model]
         if kind == "ghost":
             return paint_ghost(robot.radius, self.px_per_m, heading).shrunk()
-        return paint_robot(robot, look.TEAMS[kind], self.px_per_m, heading).shrunk()
+        team, _, off = kind.partition(" ")
+        sprite = paint_robot(robot, look.TEAMS[team], self.px_per_m, heading).shrunk()
+        if off:
+            sprite.fill((DIM,) * 4, special_flags=pygame.BLEND_RGBA_MULT)
+        return sprite

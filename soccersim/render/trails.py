@@ -1,5 +1,7 @@
 """The last seconds of every robot's way: where it was (solid), where it believed it was (dashed).
 
+In a match they are few, without the belief, and the ball has one as well.
+
 A trail is cut into pieces of half a second. Complete pieces are laid onto the field and stay there
 until the next one is complete: drawing every line in every frame would cost more than all else.
 """
@@ -21,11 +23,13 @@ SAMPLES_HZ = 10  # points of a way a second; always the same records, or the tra
 PIECE = 5  # samples
 BUDGET = 60.0  # seconds of trail over all robots: one shows its whole way, many do not tangle
 SHORTEST, LONGEST = 4.0, 30.0  # s
+OF_A_MATCH = 2.5  # s: ten robots that go to and fro would fill the field
 KEPT = 4000  # pieces kept for the next frame, some kilobytes each
 LEVELS = 8  # steps in which a trail fades
 FAINTEST = 0.08  # strength of the oldest pieces; the newest have 1
 DASH = 5.0  # px, and as much between two
 JUMP = 60.0  # px between two samples: the robot was put there, it did not drive
+BALL_JUMP = 20.0  # m/s: the same of the ball
 STILL = 0.05  # px between two samples: it stands
 FINE = 3  # times as large while drawn
 TRUE_WIDTH, BELIEVED_WIDTH = 2.2, 1.3  # px
@@ -37,9 +41,16 @@ Point = tuple[float, float]
 class Way:
     """Where one robot went, as straight strokes, and at which sample each was complete."""
 
-    def __init__(self, strokes: Array, ends: Array, colour: look.Colour, width: float) -> None:
+    def __init__(
+        self,
+        strokes: Array,
+        ends: Array,
+        colour: look.Colour,
+        width: float,
+        jump: float = JUMP,
+    ) -> None:
         length = np.linalg.norm(strokes[:, 1] - strokes[:, 0], axis=1)
-        kept = (length > STILL) & (length < JUMP)
+        kept = (length > STILL) & (length < jump)
         self.strokes: list[tuple[Point, Point]] = [
             ((x1, y1), (x2, y2)) for (x1, y1), (x2, y2) in strokes[kept].tolist()
         ]
@@ -47,7 +58,7 @@ class Way:
         self.colour = colour
         self.width = width
 
-    def between(self, start: int, end: int) -> list[tuple[Point, Point]]:
+    def between(self, start: float, end: float) -> list[tuple[Point, Point]]:
         """The strokes that were complete after one sample and by another."""
         return self.strokes[bisect_right(self.ends, start) : bisect_right(self.ends, end)]
 
@@ -74,13 +85,20 @@ class Trails:
         record_hz = recording.scenario.timing.record_hz
         self.stride = max(1, record_hz // SAMPLES_HZ)
         seconds = min(max(BUDGET / max(1, len(players)), SHORTEST), LONGEST)
+        if recording.match:
+            seconds = OF_A_MATCH
         self.pieces = round(seconds * record_hz / self.stride / PIECE)
         self.ways: list[Way] = []
         for robot, player in enumerate(players):
             true = view.pixels(recording.body[:: self.stride, robot, :2])
-            believed = view.pixels(recording.estimate[:: self.stride, robot, :2])
             self.ways.append(Way(*_solid(true), look.tint(player.team), TRUE_WIDTH))
-            self.ways.append(Way(*_dashed(believed), look.BELIEVED, BELIEVED_WIDTH))
+            if recording.match is None:
+                believed = view.pixels(recording.estimate[:: self.stride, robot, :2])
+                self.ways.append(Way(*_dashed(believed), look.BELIEVED, BELIEVED_WIDTH))
+        if recording.match and recording.ball is not None:  # faster: every record is a sample
+            strokes, ends = _solid(view.pixels(recording.ball[:, :2]))
+            jump = BALL_JUMP / record_hz * view.px_per_m
+            self.ways.append(Way(strokes, ends / self.stride, look.BALL_TRAIL, TRUE_WIDTH, jump))
         self.fresh = lru_cache(KEPT)(lambda way, piece: self.ways[way].piece(piece))
         self.faded = lru_cache(KEPT)(self._faded)
 
@@ -100,7 +118,7 @@ class Trails:
         """What came after the complete pieces, up to this record."""
         start = self.finished(index) * PIECE
         for way in self.ways:
-            for stroke in way.between(start, index // self.stride):
+            for stroke in way.between(start, index / self.stride):
                 pygame.draw.aaline(surface, way.colour, *stroke, round(way.width))
 
     def _faded(self, way: int, piece: int, level: int) -> Blit | None:

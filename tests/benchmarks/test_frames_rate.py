@@ -28,7 +28,7 @@ def test_ten_robots_at_four_hundred_frames_a_second(capsys):
     scene = synthetic["kickabout"](10, seconds=60.0)
     renderer = FrameRenderer(scene)
     indices = frame_indices(scene)
-    copy = seconds_each(lambda _: renderer.surface.blit(renderer.background, (0, 0)), indices)
+    copy = seconds_each(lambda _: renderer.surface.blit(renderer.ground, (0, 0)), indices)
     frame = seconds_each(renderer.draw, indices)
     with capsys.disabled():
         print(f"\n{1 / frame:.0f} frames/s, a frame is {frame / copy:.1f} copies of the picture")
