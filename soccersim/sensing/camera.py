@@ -160,28 +160,33 @@ def take_frames(
     frames.number[slot] = number
     robots = pose.shape[0]
     for i in range(robots):
-        frames.alive[slot, i] = playing[i]
-        frames.sent[slot, i] = 1 if draws.report[row, i] >= camera.report_loss else 0
-        frames.contact[slot, i] = contact[i]
-        whole = playing[i] == 1 and draws.frame[row, i] >= camera.dropout
-        by_lines = whole and draws.pose[row, i, 3] >= camera.lines[2]
-        frames.fixed[slot, i] = 1 if by_lines else 0
         for k in range(3):
             frames.pose[slot, i, k], frames.twist[slot, i, k] = pose[i, k], twist[i, k]
-            spread = camera.lines[1 if k == 2 else 0]
-            frames.fix[slot, i, k] = body[i, k] + spread * draws.pose[row, i, k]
-        seen = _look(
-            camera.ball, camera.scale[i], draws.ball[row, i], body, i, robots, frames.ball[slot, i]
-        )
-        frames.ball_seen[slot, i] = 1 if whole and seen else 0
+        frames.contact[slot, i] = contact[i]
+        frames.alive[slot, i] = playing[i]
+        frames.sent[slot, i] = 1 if draws.report[row, i] >= camera.report_loss else 0
+        whole = playing[i] == 1 and draws.frame[row, i] >= camera.dropout
+        found = _find_itself(camera.lines, draws.pose[row, i], body[i], frames.fix[slot, i])
+        frames.fixed[slot, i] = 1 if whole and found else 0
+        scale, at = camera.scale[i], frames.ball[slot, i]
+        found = _look(camera.ball, scale, draws.ball[row, i], body, i, robots, at)
+        frames.ball_seen[slot, i] = 1 if whole and found else 0
         for j in range(robots):
-            frames.seen[slot, i, j] = 0
-            if whole and team[j] != team[i] and playing[j] == 1:
-                at = frames.other[slot, i, j]
-                seen = _look(
-                    camera.opponents, camera.scale[i], draws.other[row, i, j], body, i, j, at
-                )
-                frames.seen[slot, i, j] = 1 if seen else 0
+            there = whole and playing[j] == 1 and team[j] != team[i]
+            draw, at = draws.other[row, i, j], frames.other[slot, i, j]
+            found = there and _look(camera.opponents, scale, draw, body, i, j, at)
+            frames.seen[slot, i, j] = 1 if found else 0
+
+
+@inner
+def _find_itself(lines: Array, draw: Array, pose: Array, fix: Array) -> bool:
+    """Leave in fix (3,) what the lines tell of a robot's pose, field frame; whether they do.
+
+    The error is the robot's own, in its body frame: the game turned round has it turned too.
+    """
+    dx, dy = rotate(lines[0] * draw[0], lines[0] * draw[1], pose[2])  # body to field
+    fix[0], fix[1], fix[2] = pose[0] + dx, pose[1] + dy, pose[2] + lines[1] * draw[2]
+    return bool(draw[3] >= lines[2])
 
 
 @inner
