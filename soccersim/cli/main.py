@@ -14,6 +14,7 @@ VERBS = {  # verb: what it does; its command stands in cli/verb.py
     "list": "What comes with soccersim: scenarios, strategies, robots, fields.",
     "run": "Run a scenario: table, report, plot, frames, video.",
     "reproduce": "Every table of the papers beside ours.",
+    "match": "Play a match of two strategies.",
     "tune": "Ziegler-Nichols gains from a simulated experiment.",
     "bench": "Measure this machine's speed, beside the floor.",
     "schema": "Print the JSON Schema of scenario files, for editors.",

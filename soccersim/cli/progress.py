@@ -18,19 +18,21 @@ class Bar:
     ...     bar(0.5)
     """
 
-    def __init__(self, task: str) -> None:
+    def __init__(self, task: str, patience: float = PATIENCE) -> None:
         self._task = task
+        self._patience = patience
         self._start = time.monotonic()
         self._bar: Progress | None = None
 
-    def __call__(self, share: float) -> None:
-        """The share done, 0 to 1."""
-        if self._bar is None and time.monotonic() - self._start > PATIENCE and sys.stderr.isatty():
+    def __call__(self, share: float, task: str | None = None) -> None:
+        """The share done, 0 to 1, and what the task is called now."""
+        late = time.monotonic() - self._start > self._patience
+        if self._bar is None and late and sys.stderr.isatty():
             self._bar = _bar()
             self._bar.start()
             self._row = self._bar.add_task(self._task, total=1.0)
         if self._bar:
-            self._bar.update(self._row, completed=share)
+            self._bar.update(self._row, completed=share, description=task)
 
     def count(self, done: int, total: int) -> None:
         """So many of all are done."""

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from soccersim.cli.results import Results
-from soccersim.problems import InputError, Problem, Stopped
+from soccersim.problems import InputError, Problem, Stopped, one_line
 
 if TYPE_CHECKING:
     from soccersim.record import Recording
@@ -58,6 +58,9 @@ def command(
     if (frames or video) and out is None:
         raise click.UsageError("--frames and --video need a folder: --out DIR")
     spec = load_scenario(scenario, seed=seed, settings=settings)
+    if spec.match:
+        wrong = f"is a match: `soccersim match HOME AWAY --scenario {one_line(scenario)}` plays it"
+        raise InputError(Problem(wrong, one_line(scenario)))
     check_seeds(spec.seed, runs)
     with Results(out, FILES, force) if out else nullcontext() as results:
         announce_compiling()

@@ -1,5 +1,6 @@
 """What a team may do wrong, so that the match is over and it has lost."""
 
+import importlib
 import traceback
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,6 +17,7 @@ LAST_LINES = 12  # of a traceback that are kept
 LONGEST_LINE = 300  # characters
 LOST_BY = 3  # goals: a forfeit counts 0:3, or worse
 OURS = str(Path(__file__).parents[1])  # code that a team's traceback begins in ...
+LOADER = (OURS, importlib.__file__ or OURS, "<frozen importlib")
 BUNDLED = str(Path(OURS, "bundled"))  # ... but for the strategies that come with it
 
 
@@ -68,7 +70,7 @@ def own_part(error: BaseException) -> TracebackType | None:
 
 def is_ours(file: str) -> bool:
     """Whether this code is the simulator's, or what it loads a team with."""
-    return file.startswith((OURS, "<frozen importlib")) and not file.startswith(BUNDLED)
+    return file.startswith(LOADER) and not file.startswith(BUNDLED)
 
 
 def last_lines(text: str) -> str:

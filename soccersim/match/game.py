@@ -78,6 +78,7 @@ class Game:
             if tick % self.decide_every == 0:
                 self.turn.tick, self.turn.share = tick, tick / simulation.end
                 self._rule(tick)
+                self.turn.score = self.referee.score
                 if simulation.done:
                     break
                 try:

@@ -57,10 +57,12 @@ class MatchLog:
 
     def arrays(self) -> dict[str, Any]:
         """Everything that has a row a decision."""
-        return {
-            key: rounded(key, np.array(rows)) if key == "ball_believed" else np.array(rows, kind)
-            for (key, rows), kind in zip(self.rows.items(), ROWS.values(), strict=True)
-        }
+        arrays = {}
+        for key, (kind, shape) in ROWS.items():
+            rows = self.rows[key]
+            whole = [len(self.orders) if n < 0 else n for n in shape]
+            arrays[key] = rounded(key, np.array(rows, kind).reshape(len(rows), *whole))
+        return arrays
 
     def document(
         self, game: "Game", score: tuple[int, int], faults: list[TeamFault]
@@ -78,18 +80,18 @@ class MatchLog:
         }
 
 
-ROWS: dict[str, Any] = {  # array: type of its numbers
-    "decision_tick": np.int64,
-    "orders": np.float32,
-    "in_play": np.uint8,
-    "contact": np.uint8,
-    "kicked": np.int32,
-    "ball_believed": np.float32,
-    "phase": np.uint8,
-    "whose": np.int8,
-    "started": np.uint8,
-    "score": np.uint8,
-    "direction": np.int8,
+ROWS: dict[str, tuple[Any, tuple[int, ...]]] = {  # array: its numbers, shape of a row; -1: robots
+    "decision_tick": (np.int64, ()),
+    "orders": (np.float32, (-1, 5)),
+    "in_play": (np.uint8, (-1,)),
+    "contact": (np.uint8, (-1,)),
+    "kicked": (np.int32, (-1,)),
+    "ball_believed": (np.float64, (2, 5)),
+    "phase": (np.uint8, ()),
+    "whose": (np.int8, ()),
+    "started": (np.uint8, ()),
+    "score": (np.uint8, (2,)),
+    "direction": (np.int8, ()),
 }
 
 
