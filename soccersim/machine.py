@@ -107,7 +107,7 @@ def build_machine(scenario: Scenario, world: World, truth: Truth) -> tuple[Machi
         handling=handling,
         limbs=build_limbs(scenario),
         chipmunk=world.chipmunk,
-        watch=build_watch(scenario),
+        watch=build_watch(scenario)._replace(held=handling.held, kicked=handling.kicked),
         log=new_log(
             scenario.every(scenario.timing.record_hz),
             len(truth.body),

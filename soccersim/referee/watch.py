@@ -34,6 +34,8 @@ class Watch(NamedTuple):
     push_limit: float  # m, 0: pushing is not watched
     active: Whole  # (R,)  1: in play; the judge writes it
     reach: Array  # (R,)  distance of centres at which robot and ball touch
+    held: Whole  # (R,)  1: its dribbler holds the ball; these two are handling's own arrays
+    kicked: Whole  # (R,)  tick of its last kick: the ball need not touch its shell for that
     touched: Whole  # (R,)  tick of the robot's last touch
     caught: Array  # (R, 2)  the robot where its present contact with the ball began
     kicker: Array  # (R, 2)  the robot at its last touch
@@ -70,6 +72,8 @@ def build_watch(scenario: Scenario) -> Watch:
         push_limit=rules.pushing or 0.0 if rules else 0.0,
         active=np.ones(robots, np.int64),
         reach=np.array(radius) + (ball_radius + TOUCH),
+        held=z(robots, np.int64),
+        kicked=np.full(robots, NEVER),
         touched=np.full(robots, NEVER),
         caught=z((robots, 2)),
         kicker=z((robots, 2)),
@@ -105,7 +109,8 @@ def see_touches(w: Watch, truth: Truth, tick: int) -> None:
     for robot in range(w.reach.shape[0]):
         dx, dy, reach = truth.body[robot, 0] - x, truth.body[robot, 1] - y, w.reach[robot]
         gap = dx * dx + dy * dy - reach * reach
-        if gap < 0.0 and w.active[robot] == 1:
+        in_mouth = w.held[robot] == 1 or w.kicked[robot] == tick - 1
+        if (gap < 0.0 or in_mouth) and w.active[robot] == 1:
             if tick - w.touched[robot] > w.release:
                 w.caught[robot, 0], w.caught[robot, 1] = truth.body[robot, 0], truth.body[robot, 1]
                 if robot == latest:
