@@ -7,17 +7,19 @@
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from soccersim.match.play import play_match
     from soccersim.record import Recording
     from soccersim.simulation import Simulation
     from soccersim.spec.load import load_scenario
 
 __version__ = "0.1.0"
-__all__ = ["Recording", "Simulation", "__version__", "load_scenario"]
+__all__ = ["Recording", "Simulation", "__version__", "load_scenario", "play_match"]
 
 _PLACES = {
     "Recording": "soccersim.record",
     "Simulation": "soccersim.simulation",
     "load_scenario": "soccersim.spec.load",
+    "play_match": "soccersim.match.play",
 }
 
 

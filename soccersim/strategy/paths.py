@@ -7,7 +7,7 @@ from soccersim.strategy.api import Player, View
 from soccersim.strategy.motion import BRAKING, velocity
 
 MARGIN = 0.12  # m of air between two robots
-FORESIGHT = 1.0  # s at most that others are expected to go on as they go
+FORESIGHT = 0.5  # s at most that others are expected to go on as they go
 TRIES = 4  # obstacles one behind the other
 SWAY = 0.1  # rad per m/s: a robot under way to one side keeps to that side
 DRIFT = 0.08  # m that a robot may be carried beyond a corner of its way

@@ -3,7 +3,7 @@
 from math import hypot, sqrt
 
 from soccersim.strategy.api import Ball, Pitch, Player
-from soccersim.strategy.motion import LAG, time_to
+from soccersim.strategy.motion import LAG, time_to, velocity
 
 SHELL = 2.0 / 3.0  # moment of inertia of a hollow ball over m r2
 SOON = 0.04  # s, one decision: so exact is the moment of a meeting
@@ -59,30 +59,37 @@ def meeting(field: Pitch, ball: Ball, player: Player) -> tuple[float, float, flo
     speed = hypot(ball.vx, ball.vy)
     reach = player.body.radius + field.ball_radius
     fastest = rate = 1.0 + speed / player.body.speed  # at which the two can close up
-    t, x, y = 0.0, ball.x, ball.y
+    early, t, x, y = 0.0, 0.0, ball.x, ball.y
     late = reaching(player, x, y, reach)
     for _ in range(STEPS):
         if abs(late) < SOON:
             break
-        step = max(late / rate, SOON - t)
-        t += step
+        before, was = t, late
+        if late > 0:
+            early = t
+            t += max(late / rate, SOON)
+        else:  # it could be there sooner: the ball may even have rolled through it meanwhile
+            t = (early + t) / 2.0
         x, y = ball_at(field, ball, t)
         if field.rules.lines and not field_has(field, x, y):
             x, y = last_inside(field, ball, x, y)
             break
-        still = reaching(player, x, y, reach) - t
-        if step:  # the next step goes on as this one went (secant)
-            rate = min(max((late - still) / step, BOLDEST * fastest), fastest)
-        late = still
+        late = reaching(player, x, y, reach) - t
+        if t > before:  # the next step goes on as this one went (secant)
+            rate = min(max((was - late) / (t - before), BOLDEST * fastest), fastest)
+        elif t - early < SOON / 2:
+            break
     return x, y, t
 
 
 def reaching(player: Player, x: float, y: float, reach: float) -> float:
-    """Seconds until a robot's mouth can be at a point."""
-    far = hypot(x - player.x, y - player.y)
-    if far <= reach:
+    """Seconds until a robot's mouth can be at a point; none if it comes to rest there anyway."""
+    vx, vy = velocity(player)
+    rest = hypot(vx, vy) / (2.0 * player.body.acceleration) + LAG
+    if hypot(x - player.x - rest * vx, y - player.y - rest * vy) <= reach:
         return 0.0
-    keep = (far - reach) / far
+    far = hypot(x - player.x, y - player.y)
+    keep = max(far - reach, 0.0) / far if far > 0 else 0.0
     there = player.x + keep * (x - player.x), player.y + keep * (y - player.y)
     return time_to(player, *there) + LAG
 

@@ -10,7 +10,7 @@ from soccersim.strategy.rolling import meeting
 Twist = tuple[float, float, float]  # m/s, m/s, rad/s; body frame
 Point = tuple[float, float]
 
-LYING = 0.3  # m/s; a slower ball is taken where it lies
+LYING = 0.5  # m/s; a slower ball is taken where it lies: nobody knows its speed so well
 TOUCH = 0.6  # m/s over the ball's speed, with which a robot comes to it: it hardly bounces off
 DEEPER = TOUCH / GAIN  # m beyond the ball's edge that the robot steers for, to be so fast
 AT_HAND = 0.7  # s to the ball: nearer, it is run down instead of waited for
