@@ -34,8 +34,8 @@ def test_a_match_is_played_by_all_and_written_down(match):
 
 
 @pytest.mark.parametrize("scenario", ["friendly-match", "msl-match"])
-def test_home_and_away_exchanged_is_the_same_match_when_both_are_the_same_team(tmp_path, scenario):
-    """All asymmetry is of the slots: a copy under another name, in another folder, changes nothing."""
+def test_exchanging_a_team_and_its_copy_changes_nothing(tmp_path, scenario):
+    """All asymmetry is of the slots: a copy elsewhere, under another name, changes nothing."""
     other = tmp_path / "copy_of_rush.py"
     shutil.copy(TEAMS / "rush.py", other)
     one = play(RUSH, other, SHORT, scenario=scenario)
@@ -45,8 +45,10 @@ def test_home_and_away_exchanged_is_the_same_match_when_both_are_the_same_team(t
 
 def states(swap, seed, seconds):
     """The true bodies at every decision, (D, 11, 6), with perfect senses."""
-    settings = ("perception=truth", "duration=40", "match.rules.kick_off_time=2")
-    match, seats = game(RUSH, RUSH, *settings, f"match.swap_ends={swap}", seed=seed)
+    free = [f"match.rules.{key}" for key in ("opponents=0", "mates=0", "slack=3", "roll=0")]
+    settings = ("perception=truth", "duration=40", *free, f"match.swap_ends={swap}")
+    eager = {"kick": 0.0, "hurry": True}
+    match, seats = game(RUSH, RUSH, *settings, seed=seed, options=(eager, {"hurry": True}))
     truth, hurry, taken = match.simulation.machine.truth, match.simulation.hurry, []
 
     def hurry_and_look(ticks):
@@ -62,7 +64,7 @@ def states(swap, seed, seconds):
 def test_a_match_with_ends_swapped_is_the_turned_match(seed):
     """Both run for one ball, squeeze and kick it: rounding of heading + pi is all that may differ.
 
-    Chaos makes more of it; five seconds after the kick-off it is still nothing.
+    Chaos makes more of it; five seconds after the ball first moved it is still nothing.
     """
     one, two = (states(swap, seed, 10) for swap in ("false", "true"))
     begun = np.flatnonzero(np.abs(one[:, 10, 3:5]).max(axis=1) > 0.1)[0]
@@ -72,7 +74,7 @@ def test_a_match_with_ends_swapped_is_the_turned_match(seed):
     assert apart.max() < 1e-6
     assert np.abs(one[five_seconds, 10, 3:5]).max() > 1.0  # the ball was kicked
     gaps = np.hypot(*np.moveaxis(one[:, :10, :2] - one[:, 10:, :2], 2, 0))
-    assert (np.sort(gaps[five_seconds], axis=1)[:, 1] < 0.5).any()  # two were at it
+    assert (np.sort(gaps[five_seconds], axis=1)[:, 1] < 0.36).any()  # two had it between them
 
 
 def test_a_recording_is_verified_and_read_back(tmp_path, match):

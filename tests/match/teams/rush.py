@@ -1,15 +1,15 @@
-"""A team for tests: the nearest robot fetches the ball and kicks it ahead, the others bump about."""
+"""A team for tests: the nearest robot fetches the ball and kicks it, the others drive about."""
 
 from soccersim.strategy import Command, Strategy, skills
 
 
 class Rush(Strategy):
-    def __init__(self, rng, kick=6.0):
+    def __init__(self, rng, kick=6.0, hurry=False):
         super().__init__(rng)
-        self.kick = kick
+        self.kick, self.hurry = kick, hurry
 
     def decide(self, view):
-        if view.ball is None or not skills.may_play(view):
+        if view.ball is None or not (self.hurry or skills.may_play(view)):
             return [Command(label="wait") for _ in view.robots]
         ball = view.ball
         near = skills.nearest(view.robots, ball.x, ball.y)
