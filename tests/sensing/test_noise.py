@@ -126,7 +126,7 @@ KICKER = {"kicker": {"recharge": 0.1}}
 def test_every_kick_has_a_row_of_its_own_however_many_there_are():
     """Kick n finds row n of its robot's stream, whenever blocks are filled up."""
     kicks = np.zeros(2, np.int64)
-    source = NoiseSource([real(), real(**KICKER)], 3, 500, 4, kicks)
+    source = NoiseSource([robot(), robot(**KICKER)], 3, 500, 4, kicks)
     rng, found = np.random.default_rng(0), []
     while len(found) < 3 * BLOCK:
         end = source.prepare(0, 10**9)
