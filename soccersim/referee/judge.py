@@ -188,7 +188,7 @@ class Referee:
     def _intruded(self, outcome: Intruded, watch: Watch) -> None:
         """Somebody was too near: once more; in the end, defenders go off and play goes on."""
         restart, scene, rows = self.restart, self.scene, outcome.rows
-        if restart.retakes < self.rules.retakes:
+        if restart.retakes < (self.rules.retakes or 0):
             restart.retakes += 1
             names = ", ".join(scene.names[row] for row in rows)
             text = f"{names} too near the ball: the restart is taken again"

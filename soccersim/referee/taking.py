@@ -56,6 +56,8 @@ class Taking:
             if scene.slot[touch.robot] == whose:
                 return self._not_released(touch.robot)
         if whose is not None and scene.slot[touch.robot] != whose:
+            if scene.rules.retakes is None:
+                return Played("the defenders have played the ball")
             return Intruded([touch.robot], True)
         restart.taken_by = touch.robot
         return None
@@ -73,7 +75,7 @@ class Taking:
                 return self._not_released(restart.taken_by)
         if is_out or self.is_over(restart, scene.tick):
             return Played("the time to take the restart is over")
-        intruders = restart.intruders()
+        intruders = restart.intruders() if self.scene.rules.retakes is not None else []
         return Intruded(intruders, False) if intruders else None
 
     def is_over(self, restart: Restart, tick: int) -> bool:

@@ -41,8 +41,9 @@ class Rules(Spec):
     """From a dropped ball to everybody (2016)."""
     slack: NonNegative = 0.3
     """How much nearer is forgiven: robots know where they are no better (ours)."""
-    retakes: Annotated[int, Key(ge=0, le=10)] = 1
-    """How often a restart is taken again when somebody comes too near; then he goes off (ours)."""
+    retakes: Annotated[int, Key(ge=0, le=10)] | None = 1
+    """How often a restart is taken again when somebody comes too near after START; a defender that
+    does it once more goes off (ours). null: nobody minds."""
     roll: NonNegative = 0.5
     """That a ball must roll from its place before the taker's team touches it again (2016;
     RC-13.1.2 of the same book says 0.2)."""

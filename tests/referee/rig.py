@@ -44,6 +44,7 @@ class Rig:
         self.body[:-1, :3] = [at.field_pose(player.start) for player in players]
         if self.scenario.match.swap_ends:
             self.body[:, :2] *= -1.0
+            self.body[:-1, 2] += np.pi
         self.watch = build_watch(self.scenario)
         self.referee = Referee(self.scenario)
         self.every = self.scenario.every(self.scenario.match.decide_hz)

@@ -1,5 +1,7 @@
 """Robots that fail, leave or are sent off: they wait beside the field and come back."""
 
+from itertools import pairwise
+
 import pytest
 from rig import Rig, scenario
 
@@ -62,7 +64,7 @@ def test_who_is_off_neither_touches_the_ball_nor_fouls():
     rig = failing()
     rig.until(lambda: "failed" in rig.kinds)
     assert rig.watch.active[rig.row("home-3")] == 0
-    x, y = rig.place("home-3")
+    x = rig.place("home-3")[0]
     rig.put("ball", x, -6.7)
     rig.touch("home-4")
     rig.ball[1] = -7.15  # beside home-3, over the line
@@ -95,7 +97,7 @@ def test_a_whole_team_finds_room_beside_the_field():
     places = [rig.place(f"home-{k}") for k in range(1, 6)]
     assert all(y == pytest.approx(-7.5) for _, y in places)
     xs = sorted(x for x, _ in places)
-    assert min(b - a for a, b in zip(xs, xs[1:], strict=False)) > 0.48
+    assert min(b - a for a, b in pairwise(xs)) > 0.48
 
 
 def test_a_restart_of_a_team_that_is_off_goes_on_without_it():
