@@ -22,7 +22,7 @@ def command() -> None:
 
 
 def schema() -> dict[str, Any]:
-    """The schema, in which a robot or a field may also be named."""
+    """The schema, in which robots, fields, senses and rules may also be named."""
     from soccersim import bundled
     from soccersim.spec.scenario import Scenario
 
@@ -31,6 +31,8 @@ def schema() -> dict[str, Any]:
     document["$schema"] = "https://json-schema.org/draft/2020-12/schema"
     for holder, key, kind in (
         (document["properties"], "field", "field"),
+        (document["properties"], "senses", "senses"),
+        (document["$defs"]["Match"]["properties"], "rules", "rules"),
         (document["$defs"]["Player"]["properties"], "model", "robot"),
     ):
         described = holder[key].pop("description", "")
