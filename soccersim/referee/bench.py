@@ -12,7 +12,7 @@ from soccersim.referee.scene import Scene
 from soccersim.referee.watch import Watch
 from soccersim.spec.scenario import Scenario
 
-REPAIR = "RC-3: repair"
+REPAIR = "Law 3: repair"
 
 
 class Bench:
