@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pygame
 
-from soccersim.problems import MachineError
+from soccersim.problems import InputError, MachineError, Problem
 from soccersim.record.recording import Recording
 from soccersim.render import look
 from soccersim.render.hud import Hud
@@ -86,8 +86,8 @@ def frame_indices(recording: Recording, fps: float | None = None) -> list[int]:
     """The record that each frame of a film shows: the last one before it is due."""
     fps = fps or recording.scenario.timing.frames_hz
     ticks_per_frame = float(recording.meta["physics_hz"]) / fps
-    if len(recording.tick) == 0:  # a team had lost before the match began
-        return []
+    if len(recording.tick) == 0:
+        raise InputError(Problem("nothing to draw: a team forfeited before the match began"))
     first, last = int(recording.tick[0]), int(recording.tick[-1])
     count = int((last - first) / ticks_per_frame + 1e-9) + 1
     due = first + np.arange(count) * ticks_per_frame

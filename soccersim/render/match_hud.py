@@ -1,6 +1,7 @@
 """The head-up display of a match: clock, teams and score, phase, and what the referee decided."""
 
 from functools import cache
+from math import ceil
 
 import pygame
 
@@ -14,10 +15,10 @@ from soccersim.render.story import LEVELS, Story
 TEAMS = tuple(look.TEAMS)  # by slot
 EDGE = 20  # px at the left and right
 SIDE = 190  # px of the columns at the left and right: clock and phase
-SCORE = (130, 42)  # px of the score's card
+SCORE = (130, 40)  # px of the score's card
 BADGE = 8  # px, width of a team's colour beside the score
 ARROW = 22  # px, side of the arrow that says where a team plays to
-FIRST, SECOND = 27, 59  # px, middles of the two rows
+FIRST, SECOND = 27, 60  # px, middles of the two rows
 
 
 class MatchHud:
@@ -88,7 +89,7 @@ class MatchHud:
         story, scale = self.story, self.scale
         half, whole = story.half(index), story.duration
         played = story.seconds(index)
-        left = max(0, -int(-(whole * half / 2 - played + 1e-9) // 1))  # seconds begun count
+        left = max(0, ceil(whole * half / 2 - played - 1e-6))
         about = f"{'1st' if half == 1 else '2nd'} half, {minutes(left)} left"
         return [
             _from(self.clock.word(minutes(int(played + 1e-6))), EDGE * scale, FIRST * scale),

@@ -34,6 +34,6 @@ class MatchPlay(Play):
         self.remarks.draw_below(surface, index)
         self.moments.draw_below(surface, index, bodies)
         self.draw_bodies(surface, index, bodies, in_play)
-        self.moments.draw_above(surface, index)
+        self.moments.draw_above(surface, index, bodies[len(self.players)])
         self.remarks.draw_above(surface, index, bodies)
         draw_arms(surface, self.view, self.recording, index)

@@ -12,16 +12,19 @@ from soccersim.render.canvas import Canvas
 from soccersim.render.lettering import Blit
 from soccersim.render.pitch import View
 from soccersim.render.story import Story
-from soccersim.touches import BallPlay, Kick
+from soccersim.touches import Kick
 
 FLASH = 0.36  # s that a kick is shown
 STEPS = 8  # pictures of a flash
 SPREAD = (7.0, 22.0)  # px, radius of a flash's ring: first and last
 STREAK = (0.12, 26.0, 90.0)  # px of the streak: s of the ball's speed, at least, at most
-GHOST = 6.0  # px, radius of a believed ball at least
+GHOST = 6.5  # px, radius of a believed ball at least
+APART = 4.0  # px between truth and belief from which a believed ball is shown
 OLD = 0.5  # s; a ball believed from older sightings is fainter
 HALO = 3.0  # px beyond the shell of the robot that has the ball
 TEAMS = tuple(look.TEAMS)  # by slot
+
+Pose = tuple[float, float, float]
 
 
 class Moments:
@@ -36,26 +39,20 @@ class Moments:
         ball = recording.scenario.ball
         self.ball_radius = max((ball.radius if ball else 0.0) * view.px_per_m, GHOST * scale)
         self.radii = [player.model.radius for player in recording.scenario.robots]
-        self.kicks = BallPlay(recording).kicks
+        self.kicks = story.kicks
         self.ticks = [kick.tick for kick in self.kicks]
         self.ghost = cache(self._ghost)
         self.flash = cache(self._flash)
         self.halo = cache(self._halo)
 
-    def draw_below(self, surface: pygame.Surface, index: int, bodies: list[list[float]]) -> None:
-        """A halo round the robots that have the ball in their mouths."""
+    def draw_below(self, surface: pygame.Surface, index: int, bodies: list[Pose]) -> None:
+        """A halo round the robots that have the ball in their mouths; kicks."""
         contact = self.contact[self.story.decision[index]]
-        halos = [self._at(self.halo(self.radii[row]), *bodies[row][:2])
-                 for row, has in enumerate(contact) if has]  # fmt: skip
-        surface.fblits(halos, pygame.BLEND_PREMULTIPLIED)
-
-    def draw_above(self, surface: pygame.Surface, index: int) -> None:
-        """Kicks, and the ball as each team believes it."""
-        blits: list[Blit] = []
-        for slot, ball in enumerate(self.believed[self.story.decision[index]]):
-            x, y, _, _, age = ball
-            if x == x:  # not nan: it is known
-                blits.append(self._at(self.ghost(slot, age > OLD), x, y))
+        blits = [
+            self._at(self.halo(self.radii[row]), *bodies[row][:2])
+            for row, has in enumerate(contact)
+            if has
+        ]
         tick, hz = self.story.ticks[index], self.story.hz
         first = bisect_right(self.ticks, tick - FLASH * hz)
         for kick in self.kicks[first : bisect_right(self.ticks, tick)]:
@@ -64,6 +61,19 @@ class Moments:
             self._streak(surface, kick, step)
             blits.append(self._at(self.flash(self.story.sides[kick.robot], step), kick.x, kick.y))
         surface.fblits(blits, pygame.BLEND_PREMULTIPLIED)
+
+    def draw_above(self, surface: pygame.Surface, index: int, ball: Pose) -> None:
+        """The ball as each team believes it; ball: as it truly is."""
+        surface.fblits(self._ghosts(index, ball), pygame.BLEND_PREMULTIPLIED)
+
+    def _ghosts(self, index: int, ball: Pose) -> list[Blit]:
+        """The believed balls that one can see to be wrong."""
+        blits: list[Blit] = []
+        for slot, (x, y, _, _, age) in enumerate(self.believed[self.story.decision[index]]):
+            # nan: nothing is known, and no comparison holds
+            if hypot(x - ball[0], y - ball[1]) * self.view.px_per_m > APART:
+                blits.append(self._at(self.ghost(slot, age > OLD), x, y))
+        return blits
 
     def _at(self, sprite: pygame.Surface, x: float, y: float) -> Blit:
         u, v = self.view.pixel(x, y)

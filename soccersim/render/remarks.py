@@ -18,6 +18,11 @@ PLATE = (14, 20, 26, 175)  # behind words, so that lines and robots do not distu
 ABOVE = 11  # px from a note's place to its words: they often tell of the robot there
 APART = 2  # px between words, and between a robot and its label
 WORDS = 4096  # kept for the next frame
+SIDES = (  # of a robot where its label may stand, the first free one is taken
+    *((0, 1), (0, -1), (1, 0), (-1, 0)),
+    *((1, 1), (-1, 1), (1, -1), (-1, -1)),
+    *((0, 2), (0, -2), (1, 2), (-1, 2), (1, -2), (-1, -2)),
+)
 CORNERS = 48  # of a circle as drawn
 CIRCLE = [(cos(2 * pi * i / CORNERS), sin(2 * pi * i / CORNERS)) for i in range(CORNERS)]
 TEAMS = tuple(look.TEAMS)  # by slot
@@ -92,16 +97,11 @@ class Remarks:
     def _free(
         self, word: pygame.Surface, place: tuple[float, float], far: float, taken: list[pygame.Rect]
     ) -> pygame.Rect:
-        x, y = place
-        rect, frame = word.get_rect(), self.view.frame
-        tries = (
-            rect.move(x - rect.width / 2, y + far),
-            rect.move(x - rect.width / 2, y - far - rect.height),
-            rect.move(x + far, y - rect.height / 2),
-            rect.move(x - far - rect.width, y - rect.height / 2),
-        )
-        inside = [each.clamp(frame) for each in tries]
-        return next((each for each in inside if each.collidelist(taken) < 0), inside[0])
+        """Below the robot, above, beside, or farther off, where nothing else is."""
+        frame, rect = self.view.frame, word.get_rect(center=place)
+        down, across = far + rect.height / 2, far + rect.width / 2
+        tries = [rect.move(u * across, v * down).clamp(frame) for u, v in SIDES]
+        return next((each for each in tries if each.collidelist(taken) < 0), tries[0])
 
     def _circle(self, surface: pygame.Surface, slot: int, x: float, y: float, r: float) -> None:
         u, v = self.view.pixel(x, y)

@@ -52,7 +52,7 @@ class Story:
         self.sides = play.sides
         self.hz = float(recording.meta["physics_hz"])
         self.ticks: list[int] = recording.tick.tolist()
-        self.duration = recording.scenario.duration
+        self.duration, self.length = recording.scenario.duration, recording.duration
         self.decision: list[int] = play.decision.tolist()
         self.phase: list[int] = arrays["phase"].tolist()
         self.whose: list[int] = arrays["whose"].tolist()
@@ -78,32 +78,40 @@ class Story:
         self.passes = _counts(passed)
 
     def _read_decisions(self, match: dict[str, Any]) -> None:
+        """What is decided after the last record stands in its picture."""
+        last = self.ticks[-1] if self.ticks else 0
         self.decided = [
-            (e["tick"], e["text"], SIDES.index(e["side"]) if e["kind"] == "goal" else None)
+            (
+                min(e["tick"], last),
+                e["text"],
+                SIDES.index(e["side"]) if e["kind"] == "goal" else None,
+            )
             for e in self.events
             if e["kind"] not in QUIET
         ]
-        last = self.ticks[-1] if self.ticks else 0
         for fault in match["faults"]:
             text = f"{fault['side']} forfeits the match: {fault['kind'].replace('_', ' ')}"
-            self.decided.append((min(fault["tick"], last), text, None))
+            self.decided.append((last, text, None))
         self.decided_ticks = [tick for tick, _, _ in self.decided]
         self.final: list[int] = match["score"]
-        self.forfeited = bool(match["faults"])
+        over = any(event["kind"] == "end" for event in self.events)
+        self.outcome = "forfeit" if match["faults"] else WORDS["over"] if over else ""
+
+    def is_last(self, record: int) -> bool:
+        """Whether it is the last record, whose picture tells how the match ended."""
+        return record == len(self.ticks) - 1
 
     def seconds(self, record: int) -> float:
-        """Since the match began."""
-        return self.ticks[record] / self.hz
+        """Since the match began; of the last record, how long it took."""
+        return self.length if self.is_last(record) else self.ticks[record] / self.hz
 
     def half(self, record: int) -> int:
         """1 or 2."""
         return 1 if 2 * self.seconds(record) < self.duration else 2
 
     def score(self, record: int) -> list[int]:
-        """As it stands; a forfeit counts from the last record on."""
-        if self.forfeited and record == len(self.ticks) - 1:
-            return self.final
-        return self.scores[self.decision[record]]
+        """As it stands."""
+        return self.final if self.is_last(record) else self.scores[self.decision[record]]
 
     def cheering(self, record: int) -> int | None:
         """The slot that has just scored."""
@@ -116,16 +124,20 @@ class Story:
         """The phase, the slot whose restart it is, and what that means just now."""
         decision = self.decision[record]
         phase, whose = PHASES[self.phase[decision]], self.whose[decision]
+        if self.outcome and self.is_last(record):
+            return self.outcome, None, ""
         word = WORDS.get(phase) or phase.replace("_", " ")
         holder = self.holder[record]
         if phase == "stop":
             return word, None, "all robots halt"
-        if phase == "over":
-            return word, None, ""
         if phase == "play":
             slot = self.sides[holder] if holder >= 0 else None
             number = self.players[holder].number
-            return word, slot, f"number {number} has played it" if holder >= 0 else "nobody's ball"
+            return (
+                word,
+                slot,
+                f"last touched by number {number}" if holder >= 0 else "nobody's ball",
+            )
         ready = "START given" if self.started[decision] else "getting ready"
         return word, None if whose < 0 else whose, ready
 

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 THREADS = 2  # the bytes of a film depend on it, so it is never the number of this machine's cores
 OPTIONS = {"crf": "18", "preset": "veryfast"}  # crisp lines and letters
 COLOURS = "ITU709"  # as players expect them in a film as wide as ours
+ENDS = 2.0  # s that the end of a match stands still, to be read
 BT709 = 1  # the same, as H.264 writes it down
 
 
@@ -27,6 +28,8 @@ def save_video(
     """Write the film and say how many frames it has; the same recording gives the same bytes."""
     av = _av()
     renderer, indices = FrameRenderer(recording), frame_indices(recording)
+    if recording.match:
+        indices += [len(recording.tick) - 1] * round(ENDS * recording.scenario.timing.frames_hz)
     try:
         with av.open(fspath(path), "w", format="mp4") as file:
             stream = _stream(file, recording.scenario.timing.frames_hz)

@@ -6,7 +6,9 @@ import pytest
 
 from soccersim.render.frames import FrameRenderer, frame_indices
 
-synthetic = run_path(str(Path(__file__).parents[1] / "render" / "synthetic.py"))
+HERE = Path(__file__).parents[1] / "render"
+synthetic = run_path(str(HERE / "synthetic.py"))
+synthetic_match = run_path(str(HERE / "synthetic_match.py"))
 
 COPIES = 8.0  # a frame may cost as much as copying so many whole pictures; it was 4 when written
 PASSES = 3  # the quickest counts: other programs only ever make it slower
@@ -23,9 +25,8 @@ def seconds_each(work, indices):
     return min(passes)
 
 
-@pytest.mark.benchmark
-def test_ten_robots_at_four_hundred_frames_a_second(capsys):
-    scene = synthetic["kickabout"](10, seconds=60.0)
+def check(scene, per_second, capsys):
+    """Draw all of it, so fast."""
     renderer = FrameRenderer(scene)
     indices = frame_indices(scene)
     copy = seconds_each(lambda _: renderer.surface.blit(renderer.ground, (0, 0)), indices)
@@ -33,4 +34,14 @@ def test_ten_robots_at_four_hundred_frames_a_second(capsys):
     with capsys.disabled():
         print(f"\n{1 / frame:.0f} frames/s, a frame is {frame / copy:.1f} copies of the picture")
     assert frame / copy < COPIES
-    assert frame < 1 / 400
+    assert frame < 1 / per_second
+
+
+@pytest.mark.benchmark
+def test_ten_robots_at_four_hundred_frames_a_second(capsys):
+    check(synthetic["kickabout"](10, seconds=60.0), 400, capsys)
+
+
+@pytest.mark.benchmark
+def test_match_with_labels_and_notes_at_six_hundred_frames_a_second(capsys):
+    check(synthetic_match["match"](120.0), 600, capsys)
