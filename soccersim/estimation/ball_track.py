@@ -1,8 +1,8 @@
 """Where a team believes the ball to be: one track per team, from the sightings of all its robots.
 
-Between sightings the ball rolls out. A ball that turns up where it could not have rolled was
-kicked: the track then takes up the new velocity at once instead of slowly, and reckons with the
-ball's sliding before it rolls.
+Between sightings the ball slides, then rolls out, as in docs/models.md, 3.5. A ball that turns up
+where it could not have gone by itself was kicked: the track then takes up the new velocity at once
+instead of slowly, and knows that the ball's turning has yet to catch up.
 """
 
 from math import sqrt
@@ -16,15 +16,18 @@ from soccersim.state import Array, Whole
 
 TEAMS = 2
 UNSEEN = -1
+LONG_AGO = -1_000_000_000  # a tick
 PLACED = 0.01  # m and m/s, standard deviations of a ball that the referee puts down
 UNKNOWN_SPEED = 4.0  # m/s, standard deviation when all that is known is one sighting
 KICK_SPEED = 8.0  # m/s, standard deviation of what a kick or a bounce changes
 CALM, LIVELY = 0.3, 2.5  # m/s a root second: left alone; near a robot or just kicked (estimates)
 NEAR = 0.7  # m from a robot's centre: it may be pushed or held
-AFTER_KICK = 0.2  # s in which a kick may still be going on
-FASTEST = 20.0  # m/s: a ball that turns up farther away was carried, not kicked
-LONG_AGO = -1_000_000_000  # a tick
+AFTER_KICK = 0.25  # s in which the velocity is still being found out
 PLAIN, ODD = 40.0, 14.0  # squared deviations: a kick at once; a kick if the next frame says so too
+GAIN = 1.5  # m/s: a change of velocity that only a kick or a bounce can bring about so fast
+FOLLOW = 0.25  # of the way a frame that a rolling ball's turning is taken to follow its velocity
+CAUGHT_UP = 0.2  # m/s between velocity and turning: it rolls
+FASTEST = 20.0  # m/s: a ball that turns up farther away was carried, not kicked
 
 
 class BallTracks(NamedTuple):
@@ -32,6 +35,8 @@ class BallTracks(NamedTuple):
 
     state: Array  # (2, 4) x, y, vx, vy; field frame
     cov: Array  # (2, 4, 4)
+    turning: Array  # (2, 2) velocity at which its turning would carry it; field frame
+    slides: Whole  # (2,) 1: the turning has not caught up with the velocity
     time: Whole  # (2,) tick of the state
     seen: Whole  # (2,) tick of the last sighting; -1: never
     since: Whole  # (2,) frames of this tick and earlier show the ball where it no longer is
@@ -48,6 +53,8 @@ def build_ball_tracks(rolling: float, sliding: float, shell: float, dt: float) -
     return BallTracks(
         state=np.zeros((TEAMS, 4)),
         cov=np.zeros((TEAMS, 4, 4)),
+        turning=np.zeros((TEAMS, 2)),
+        slides=np.zeros(TEAMS, np.int64),
         time=np.zeros(TEAMS, np.int64),
         seen=np.full(TEAMS, UNSEEN),
         since=np.full(TEAMS, UNSEEN),
@@ -64,44 +71,55 @@ def put_down(tracks: BallTracks, x: float, y: float, tick: int) -> None:
     """The referee put the ball down for all to see, at rest, after the frame of this tick."""
     tracks.state[:] = (x, y, 0.0, 0.0)
     tracks.cov[:] = PLACED * PLACED * np.eye(4)
+    tracks.turning[:] = 0.0
+    tracks.slides[:] = tracks.odd[:] = 0
     tracks.time[:] = tracks.seen[:] = max(tick, 0)
     tracks.since[:] = tick
-    tracks.odd[:] = 0
     tracks.kicked[:] = LONG_AGO
 
 
 @inner
 def gone_on(tracks: BallTracks, slot: int, tick: int) -> tuple[float, float, float, float]:
-    """Where a team's ball is at a tick, and how fast, if nobody touches it: x, y, vx, vy.
-
-    It slows down by sliding as long as its turning has not caught up since the kick.
-    """
+    """Where a team's ball is at a tick, and how fast, if nobody touches it: x, y, vx, vy."""
     state, seconds = tracks.state[slot], (tick - tracks.time[slot]) * tracks.tick
-    x, y, vx, vy = state[0], state[1], state[2], state[3]
+    part, ax, ay = _slide(tracks, slot, seconds)
+    x = state[0] + part * (state[2] + 0.5 * part * ax)
+    y = state[1] + part * (state[3] + 0.5 * part * ay)
+    vx, vy, seconds = state[2] + part * ax, state[3] + part * ay, seconds - part
     speed = sqrt(vx * vx + vy * vy)
     if speed == 0.0:
         return x, y, 0.0, 0.0
-    way, left = 0.0, speed
-    since = (tracks.time[slot] - tracks.kicked[slot]) * tracks.tick
-    slides = (tracks.shell * speed / tracks.sliding - since) / (1.0 + tracks.shell)
-    if slides > 0.0:
-        part = min(slides, seconds)
-        left = speed - tracks.sliding * part
-        way, seconds = 0.5 * (speed + left) * part, seconds - part
-    if left > tracks.rolling * seconds:
-        way += seconds * (left - 0.5 * tracks.rolling * seconds)
-        left -= tracks.rolling * seconds
-    else:
-        way, left = way + 0.5 * left * left / tracks.rolling, 0.0
-    return x + way / speed * vx, y + way / speed * vy, left / speed * vx, left / speed * vy
+    left = speed - tracks.rolling * seconds
+    if left > 0.0:
+        way, left = 0.5 * (speed + left) * seconds / speed, left / speed
+        return x + way * vx, y + way * vy, left * vx, left * vy
+    way = 0.5 * speed / tracks.rolling
+    return x + way * vx, y + way * vy, 0.0, 0.0
+
+
+@inner
+def _slide(tracks: BallTracks, slot: int, seconds: float) -> tuple[float, float, float]:
+    """For how long of the next so many seconds the ball slides, and its acceleration then."""
+    if tracks.slides[slot] == 0:
+        return 0.0, 0.0, 0.0
+    ux = tracks.state[slot, 2] - tracks.turning[slot, 0]
+    uy = tracks.state[slot, 3] - tracks.turning[slot, 1]
+    slip = sqrt(ux * ux + uy * uy)
+    if slip == 0.0:
+        return 0.0, 0.0, 0.0
+    whole = tracks.shell * slip / (tracks.sliding * (1.0 + tracks.shell))
+    return min(whole, seconds), -tracks.sliding * ux / slip, -tracks.sliding * uy / slip
 
 
 @inner
 def expect(tracks: BallTracks, slot: int, tick: int, crowded: bool) -> None:
-    """Roll a track on to the tick of a frame; crowded: a robot is near the ball."""
+    """Move a track on to the tick of a frame; crowded: a robot is near the ball."""
     state, seconds = tracks.state[slot], (tick - tracks.time[slot]) * tracks.tick
-    lively = crowded or (tick - tracks.kicked[slot]) * tracks.tick < AFTER_KICK
+    part, ax, ay = _slide(tracks, slot, seconds)
     state[0], state[1], state[2], state[3] = gone_on(tracks, slot, tick)
+    tracks.turning[slot, 0] -= part * ax / tracks.shell
+    tracks.turning[slot, 1] -= part * ay / tracks.shell
+    lively = crowded or (tick - tracks.kicked[slot]) * tracks.tick < AFTER_KICK
     blur(tracks.cov[slot], seconds, LIVELY if lively else CALM)
     tracks.time[slot] = tick
 
@@ -118,11 +136,11 @@ def doubt(tracks: BallTracks, slot: int, surest: Sighting, seconds: float) -> No
     tracks.odd[slot] = 1 if off > ODD and not kicked else 0
     if not kicked:
         return
-    tracks.kicked[slot] = tracks.time[slot]
     dx, dy = surest.x - state[0], surest.y - state[1]
     if sqrt(dx * dx + dy * dy) > FASTEST * seconds + sqrt(surest.along + surest.across):
         tracks.seen[slot] = UNSEEN
     else:
+        tracks.kicked[slot] = tracks.time[slot]
         jolt(cov, seconds, KICK_SPEED * KICK_SPEED)
 
 
@@ -134,6 +152,28 @@ def notice(tracks: BallTracks, slot: int, tick: int, sighting: Sighting) -> None
         variance = max(sighting.along, sighting.across)
         start(state, cov, sighting.x, sighting.y, variance, UNKNOWN_SPEED)
         tracks.time[slot] = tick
+        tracks.turning[slot, 0] = tracks.turning[slot, 1] = 0.0
+        tracks.slides[slot] = 0
     else:
         see(state, cov, sighting)
     tracks.seen[slot] = tick
+
+
+@inner
+def settle(tracks: BallTracks, slot: int) -> None:
+    """After a frame's sightings: does the ball slide or roll?
+
+    A velocity that has changed a lot was changed by a kick or a bounce, which leave the turning as
+    it was. A rolling ball's turning follows its velocity.
+    """
+    turning = tracks.turning[slot]
+    ux, uy = tracks.state[slot, 2] - turning[0], tracks.state[slot, 3] - turning[1]
+    slip = ux * ux + uy * uy
+    if tracks.slides[slot] == 0 and slip > GAIN * GAIN:
+        tracks.slides[slot] = 1
+        tracks.kicked[slot] = tracks.time[slot]
+    elif slip < CAUGHT_UP * CAUGHT_UP:
+        tracks.slides[slot] = 0
+    if tracks.slides[slot] == 0:
+        turning[0] += FOLLOW * ux
+        turning[1] += FOLLOW * uy

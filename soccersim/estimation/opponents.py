@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from soccersim.estimation.track import Sighting, blur, see, start
+from soccersim.estimation.track import Sighting, blur, see, sighting_of, start
 from soccersim.kernel import inner
 from soccersim.state import Array, Whole
 
@@ -29,7 +29,7 @@ class Opponents(NamedTuple):
     state: Array  # (2, M, 4) x, y, vx, vy; field frame
     cov: Array  # (2, M, 4, 4)
     seen: Whole  # (2, M) tick of the last sighting; -1: no track here
-    taken: Whole  # (2, M) who gave the track its last sighting: frame * robots + robot
+    given: Whole  # (2, M) bit i: robot i gave the track a sighting of the last frame
     time: Whole  # (2,) tick of the states
     since: Whole  # (2,) frames of this tick and earlier show robots where they no longer are
     most: Whole  # (2,) how many opponents there are
@@ -44,7 +44,7 @@ def build_opponents(counts: tuple[int, int], dt: float) -> Opponents:
         state=np.zeros((TEAMS, slots, 4)),
         cov=np.zeros((TEAMS, slots, 4, 4)),
         seen=np.full((TEAMS, slots), FREE),
-        taken=np.full((TEAMS, slots), FREE),
+        given=np.zeros((TEAMS, slots), np.int64),
         time=np.zeros(TEAMS, np.int64),
         since=np.full(TEAMS, FREE),
         most=np.array(counts, np.int64),
@@ -59,6 +59,7 @@ def drive_on(opponents: Opponents, slot: int, tick: int) -> None:
     seconds = (tick - opponents.time[slot]) * opponents.tick
     opponents.time[slot] = tick
     for k in range(opponents.most[slot]):
+        opponents.given[slot, k] = 0
         if opponents.seen[slot, k] == FREE:
             continue
         if tick - opponents.seen[slot, k] > opponents.memory:
@@ -71,36 +72,75 @@ def drive_on(opponents: Opponents, slot: int, tick: int) -> None:
 
 
 @inner
-def meet(opponents: Opponents, slot: int, tick: int, by: int, sighting: Sighting) -> None:
-    """Give a sighting to its track; `by` names frame and robot, which sees nobody twice."""
-    x, y = sighting.x, sighting.y
-    nearest, least, free = FREE, 0.0, FREE
+def meet(opponents: Opponents, slot: int, tick: int, robot: int, sights: Array, count: int) -> None:
+    """Give a robot's sightings of one frame to the tracks, the nearest pair first.
+
+    sights (S, 6) are as Sighting has them, count how many of them; the robot sees nobody twice.
+    """
+    left = count
+    while left > 0:
+        at, track = _nearest(opponents, slot, robot, sights, left)
+        if at == FREE:
+            break
+        see(opponents.state[slot, track], opponents.cov[slot, track], sighting_of(sights[at]))
+        _mark(opponents, slot, track, robot, tick)
+        left -= 1
+        for k in range(sights.shape[1]):
+            sights[at, k] = sights[left, k]
+    for at in range(left):
+        _start_track(opponents, slot, tick, robot, sighting_of(sights[at]))
+
+
+@inner
+def _nearest(
+    opponents: Opponents, slot: int, robot: int, sights: Array, left: int
+) -> tuple[int, int]:
+    """The sighting and the track that lie nearest together, if near enough to be one; else FREE."""
+    best, track, least = FREE, FREE, 0.0
+    for k in range(opponents.most[slot]):
+        if opponents.seen[slot, k] == FREE or opponents.given[slot, k] >> robot & 1:
+            continue
+        cov = opponents.cov[slot, k]
+        for at in range(left):
+            far = _distance(opponents.state[slot, k], sights[at, 0], sights[at, 1])
+            spread = sqrt(cov[0, 0] + cov[1, 1] + sights[at, 4] + sights[at, 5])
+            if far < GATE + GATE_SD * spread and (best == FREE or far < least):
+                best, track, least = at, k, far
+    return best, track
+
+
+@inner
+def _start_track(
+    opponents: Opponents, slot: int, tick: int, robot: int, sighting: Sighting
+) -> None:
+    """Somebody new, if any track is free."""
     for k in range(opponents.most[slot]):
         if opponents.seen[slot, k] == FREE:
-            free = k
-        elif opponents.taken[slot, k] != by:
-            far = _distance(opponents.state[slot, k], x, y)
-            if nearest == FREE or far < least:
-                nearest, least = k, far
-    if nearest != FREE:
-        cov = opponents.cov[slot, nearest]
-        spread = sqrt(cov[0, 0] + cov[1, 1] + sighting.along + sighting.across)
-        if least < GATE + GATE_SD * spread:
-            see(opponents.state[slot, nearest], cov, sighting)
-            opponents.seen[slot, nearest], opponents.taken[slot, nearest] = tick, by
+            state, cov = opponents.state[slot, k], opponents.cov[slot, k]
+            variance = max(sighting.along, sighting.across)
+            start(state, cov, sighting.x, sighting.y, variance, UNKNOWN_SPEED)
+            opponents.given[slot, k] = 0
+            _mark(opponents, slot, k, robot, tick)
             return
-    if free != FREE:
-        variance = max(sighting.along, sighting.across)
-        start(opponents.state[slot, free], opponents.cov[slot, free], x, y, variance, UNKNOWN_SPEED)
-        opponents.seen[slot, free], opponents.taken[slot, free] = tick, by
+
+
+@inner
+def _mark(opponents: Opponents, slot: int, track: int, robot: int, tick: int) -> None:
+    opponents.given[slot, track] |= 1 << robot
+    opponents.seen[slot, track] = tick
 
 
 @inner
 def join(opponents: Opponents, slot: int) -> None:
-    """Where two tracks have come to lie on one robot, keep the surer."""
+    """Where two tracks have come to lie on one robot, keep the surer.
+
+    They are two robots all the same if somebody has seen both in this frame.
+    """
     for k in range(opponents.most[slot]):
         for j in range(k):
             if opponents.seen[slot, k] == FREE or opponents.seen[slot, j] == FREE:
+                continue
+            if opponents.given[slot, k] & opponents.given[slot, j]:
                 continue
             state = opponents.state[slot, k]
             if _distance(opponents.state[slot, j], state[0], state[1]) < ONE:

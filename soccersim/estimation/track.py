@@ -21,6 +21,12 @@ class Sighting(NamedTuple):
 
 
 @inner
+def sighting_of(row: Array) -> Sighting:
+    """The sighting that a row (6,) of numbers holds."""
+    return Sighting(row[0], row[1], row[2], row[3], row[4], row[5])
+
+
+@inner
 def start(state: Array, cov: Array, x: float, y: float, variance: float, speed: float) -> None:
     """Begin at a place, at rest as far as anybody knows, with a standard deviation of speed.
 

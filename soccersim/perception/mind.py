@@ -32,6 +32,7 @@ class Eyes(NamedTuple):
     done: Whole  # (2,) frames the robots have worked on, frames the teams have heard of
     lag: Whole  # (2,) ticks from a frame to each of these
     scale: float  # relative error of distances that is reckoned with, standard deviation
+    sights: Array  # (R, 6) room for one robot's sightings
 
 
 class Known(NamedTuple):
@@ -62,6 +63,7 @@ def build_eyes(scenario: Scenario, draws: Draws) -> Eyes:
         done=np.zeros(2, np.int64),
         lag=np.array([seen, heard], np.int64),
         scale=senses.camera.scale_sd,
+        sights=np.zeros((count, 6)),
     )
 
 

@@ -2,7 +2,7 @@
 
 from math import sqrt
 
-from soccersim.estimation.ball_track import NEAR, UNSEEN, doubt, expect, notice
+from soccersim.estimation.ball_track import NEAR, UNSEEN, doubt, expect, notice, settle
 from soccersim.estimation.localisation import Localisation, carry, correction, lose
 from soccersim.estimation.opponents import FREE, Opponents, drive_on, join, meet
 from soccersim.estimation.track import Sighting
@@ -13,6 +13,7 @@ from soccersim.sensing.camera import RADIAL, TANGENTIAL, Frames, spread, take_fr
 from soccersim.state import Array, Whole
 
 NOBODY = -1
+AT_BOARD = 0.3  # m: the ball may rebound
 LEAST = 1e-6  # m2: no sighting counts as surer than a millimetre
 
 
@@ -58,10 +59,19 @@ def perceive(
                 if number * every > known.balls.since[slot]:
                     _find_ball(eyes.camera.ball, eyes.scale, frames, known, slot, at, every, dt)
                 if number * every > known.opponents.since[slot]:
-                    sight, team, opponents = eyes.camera.opponents, known.team, known.opponents
-                    drive_on(opponents, slot, number * every)
-                    _find_opponents(sight, eyes.scale, frames, team, opponents, slot, at, every)
-                    join(opponents, slot)
+                    drive_on(known.opponents, slot, number * every)
+                    _find_opponents(
+                        eyes.camera.opponents,
+                        eyes.scale,
+                        frames,
+                        eyes.sights,
+                        known.team,
+                        known.opponents,
+                        slot,
+                        at,
+                        number * every,
+                    )
+                    join(known.opponents, slot)
         eyes.done[1] += 1
 
 
@@ -132,6 +142,7 @@ def _find_ball(
         if _saw_ball(frames, known.team, slot, at, robot):
             sighting = _sighting(frames, at, robot, frames.ball[at, robot], sight, scale)
             notice(known.balls, slot, tick, sighting)
+    settle(known.balls, slot)
 
 
 @inner
@@ -143,7 +154,9 @@ def _saw_ball(frames: Frames, team: Whole, slot: int, at: int, robot: int) -> bo
 
 @inner
 def _crowded(known: Known, slot: int, x: float, y: float) -> bool:
-    """Whether somebody the team knows of is near a place."""
+    """Whether somebody the team knows of, or the board, is near a place."""
+    if abs(x) > known.walls[0] - AT_BOARD or abs(y) > known.walls[1] - AT_BOARD:
+        return True
     for robot in range(known.team.shape[0]):
         if known.team[robot] == slot and known.playing[robot] == 1:
             dx, dy = known.reports.pose[robot, 0] - x, known.reports.pose[robot, 1] - y
@@ -163,22 +176,28 @@ def _find_opponents(
     sight: Array,
     scale: float,
     frames: Frames,
+    sights: Array,
     team: Whole,
     opponents: Opponents,
     slot: int,
     at: int,
-    every: int,
+    tick: int,
 ) -> None:
-    """The team's tracks of its opponents, from the sightings of all its robots."""
-    robots, number = team.shape[0], frames.number[at]
+    """The team's tracks of its opponents; sights (R, 6) is room for one robot's sightings."""
+    robots = team.shape[0]
     for robot in range(robots):
         if team[robot] != slot or frames.sent[at, robot] == 0:
             continue
+        count = 0
         for other in range(robots):
             if frames.seen[at, robot, other] == 1:
                 place = frames.other[at, robot, other]
-                sighting = _sighting(frames, at, robot, place, sight, scale)
-                meet(opponents, slot, number * every, number * robots + robot, sighting)
+                s = _sighting(frames, at, robot, place, sight, scale)
+                sights[count, 0], sights[count, 1] = s.x, s.y
+                sights[count, 2], sights[count, 3] = s.ux, s.uy
+                sights[count, 4], sights[count, 5] = s.along, s.across
+                count += 1
+        meet(opponents, slot, tick, robot, sights, count)
 
 
 @inner

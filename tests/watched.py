@@ -9,7 +9,6 @@ from soccersim.spec.senses import Senses
 from soccersim.state import new_estimate, new_readings, new_truth
 
 NOTHING = [0, 0, 0]
-BLIND = {"range": 0.1}  # sees nothing farther than its own shell
 # exact, at once, always
 SHARP = {
     "camera": {
@@ -22,25 +21,29 @@ SHARP = {
     },
     "radio": {"delay": 0.0, "order_loss": 0.0, "report_loss": 0.0},
 }
+REALISTIC = Senses().model_dump(exclude={"about"})  # the defaults are those of the preset
 
 
-def sharp(**camera):
-    """Perfect senses with changes to the camera."""
-    return merged(SHARP, {"camera": camera})
+def sharp(radio=None, **camera):
+    """Perfect senses with changes to camera and radio."""
+    return merged(SHARP, {"camera": camera, "radio": radio or {}})
 
 
-def realistic():
-    """The defaults are those of the preset."""
-    return Senses().model_dump(exclude={"about"})
+def realistic(radio=None, **camera):
+    """The usual senses with changes to camera and radio."""
+    return merged(REALISTIC, {"camera": camera, "radio": radio or {}})
 
 
 class Watched:
-    """Robots at their starts and a ball; `go` lets time pass and moves what it is told to."""
+    """Robots at their starts and a ball; `go` lets time pass, all moving on as they move.
 
-    def __init__(self, *starts, away=(), senses=SHARP, ball=(0.0, 0.0), **more):
+    The robots' odometry is exact, and so is what they believe at the start.
+    """
+
+    def __init__(self, *starts, away=(), senses=SHARP, ball=(0.0, -6.0), **more):
         sides = [("home", s) for s in starts] + [("away", s) for s in away]
         players = [
-            player(start=start, team=team, name=team, number=i + 1)
+            player(start=start, team=team, name=team, number=i + 1, keeper=i == 0)
             for i, (team, start) in enumerate(sides)
         ]
         self.scenario = scenario(*players, senses=senses, ball={"at": ball}, **more)
@@ -56,7 +59,7 @@ class Watched:
         self.direction = np.array([1.0, -1.0])
         self.counts = (len(starts), len(away))
         self.tick, self.dt = 0, self.scenario.dt
-        self.span = self.perception.beat * self.dt
+        self.span = self.perception.beat * self.dt  # s from frame to frame
         self.look()
 
     @property
@@ -64,25 +67,35 @@ class Watched:
         """x, y, heading, vx, vy, omega of the ball; write into it to move it."""
         return self.truth.body[-1]
 
+    @property
+    def off(self):
+        """What the robots believe of their poses less what is so."""
+        return self.estimate.pose - self.truth.body[: len(self.estimate.pose), :3]
+
     def look(self):
         """One step of both teams."""
-        p = self.perception
-        p.step(
+        self.perception.step(
             self.truth, self.readings, self.estimate, self.tick, self.in_play, self.direction
         )
 
     def go(self, frames=1, move=None):
-        """Let frames pass; everything goes on at its velocity, unless move(self) says more."""
+        """Let frames pass; move(self) may change what is so before each."""
+        body, robots = self.truth.body, len(self.estimate.pose)
         for _ in range(frames):
-            body, robots = self.truth.body, len(self.estimate.pose)
-            body[:, :3] += self.span * body[:, 3:]
-            self.estimate.pose[:] += self.span * body[:robots, 3:]
-            c, s = np.cos(body[:robots, 2]), np.sin(body[:robots, 2])
-            vx, vy = body[:robots, 3], body[:robots, 4]
-            self.estimate.twist[:] = np.stack([c * vx + s * vy, c * vy - s * vx, body[:robots, 5]], 1)
-            self.tick += self.perception.beat
             if move:
                 move(self)
+            turned = body[:robots, 2] + 0.5 * self.span * body[:robots, 5]
+            c, s = np.cos(turned), np.sin(turned)
+            vx, vy = body[:robots, 3], body[:robots, 4]
+            twist = np.stack([c * vx + s * vy, c * vy - s * vx, body[:robots, 5]], axis=1)
+            self.estimate.twist[:] = twist
+            drift = self.estimate.pose[:, 2] - body[:robots, 2]
+            body[:, :3] += self.span * body[:, 3:]
+            c, s = np.cos(drift), np.sin(drift)  # a robot that faces wrong reckons wrong
+            self.estimate.pose[:, 0] += self.span * (c * vx - s * vy)
+            self.estimate.pose[:, 1] += self.span * (s * vx + c * vy)
+            self.estimate.pose[:, 2] += self.span * body[:robots, 5]
+            self.tick += self.perception.beat
             self.look()
         return self
 
@@ -104,3 +117,13 @@ class Told:
         self.robots = sheet[HEADER:at].reshape(robots, ROBOT)
         known = int(sheet[OPPONENTS_KNOWN])
         self.opponents = sheet[at : at + known * OPPONENT].reshape(known, OPPONENT)
+
+    @property
+    def met(self):
+        """The opponents in the order of their x."""
+        return self.opponents[np.argsort(self.opponents[:, 0])]
+
+
+def rms(values):
+    """Root of the mean square."""
+    return float(np.sqrt(np.mean(np.square(values))))
