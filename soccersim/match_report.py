@@ -3,7 +3,6 @@
 Seconds, metres, metres a second. A team's numbers stand under `home` and `away`.
 """
 
-from bisect import bisect_right
 from collections import Counter
 from math import hypot
 from pathlib import PurePath
@@ -13,12 +12,10 @@ import numpy as np
 
 from soccersim.record.recording import Recording
 from soccersim.sheet import PHASES
-from soccersim.touches import PLAY, RESTARTS, Array, BallPlay, Kick, Touch
+from soccersim.shots import passes, shots
+from soccersim.touches import PLAY, RESTARTS, Array, BallPlay
 
 SIDES = ("home", "away")
-ROLL = 0.5  # m that a ball must have rolled from one mate to the other to be a pass
-WIDE = 1.0  # m beside a post that a shot may miss by
-ROLLING = 0.6  # share of its speed that a hollow ball keeps when it has come to roll
 CARRIED = 10.0  # m/s; faster, a robot did not drive: the referee carried it
 GENERIC = ("strategy", "team", "main", "__init__")  # names of files that tell nothing
 
@@ -74,6 +71,43 @@ def match_report(recording: Recording) -> Document:
     return document
 
 
+def summary(report: Document) -> list[str]:
+    """The report in a few lines of text."""
+    sides = [report[side] for side in SIDES]
+    home, away = report["score"]
+    names = [shortened(side["name"], 15) for side in sides]
+    rows = [
+        ("", *names),
+        ("possession", *(percent(side["possession"]) for side in sides)),
+        ("shots (on goal)", *(f"{side['shots']} ({side['on_goal']})" for side in sides)),
+        ("passes", *(side["passes"] for side in sides)),
+        ("kicks", *(side["kicks"] for side in sides)),
+        ("driven, m", *(f"{sum(side['distance'].values()):.0f}" for side in sides)),
+    ]
+    for kind in PHASES[RESTARTS[0] : PLAY]:
+        given = [side["restarts"].get(kind, 0) for side in sides]
+        if any(given):
+            rows.append((kind.replace("_", " "), *given))
+    lines = [f"{sides[0]['name']} {home} : {away} {sides[1]['name']}"]
+    lines += [f"{word:15}{first!s:>16}{second!s:>16}".rstrip() for word, first, second in rows]
+    if report["dropped_balls"]:
+        lines.append(f"dropped balls  {report['dropped_balls']:>16}")
+    lines.append(f"in play        {percent(report['in_play']):>16} of {report['duration']:.0f} s")
+    ball = report["ball"]
+    lines.append(f"ball           {ball['mean']:>12.1f} m/s on average, {ball['top']:.1f} at most")
+    return lines
+
+
+def percent(share: float | None) -> str:
+    """A share in words; - where there is none."""
+    return "-" if share is None else f"{100 * share:.0f} %"
+
+
+def shortened(text: str, length: int) -> str:
+    """The text, or its beginning with an ellipsis."""
+    return text if len(text) <= length else text[: length - 1] + "…"
+
+
 def team_names(recording: Recording) -> tuple[str, str]:
     """What the teams are called on pictures: the file's or the class's name, without folders."""
     match = recording.match or {}
@@ -91,53 +125,6 @@ def team_name(strategy: str) -> str:
     elif not path.name.endswith(".py"):
         name = name.rpartition(".")[2] or name
     return f"{name}:{kind}" if colon and kind.lower() not in (*GENERIC, name.lower()) else name
-
-
-def passes(play: BallPlay) -> list[Touch]:
-    """A ball that a robot gets from a mate, having rolled half a metre at least, with nobody else
-    touching it between and no stoppage. Whether it was meant is not known."""
-    return [touch for touch in play.touches if _is_pass(play, touch)]
-
-
-def _is_pass(play: BallPlay, touch: Touch) -> bool:
-    if touch.before < 0 or play.sides[touch.before] != play.sides[touch.robot]:
-        return False
-    rolled = play.ball[touch.record, :2] - play.ball[touch.left, :2]
-    return bool(np.hypot(*rolled) >= ROLL)
-
-
-def shots(play: BallPlay) -> list[tuple[Kick, bool]]:
-    """Kicks at the opponents' goal, and whether each was on it.
-
-    A shot is a kick after which the ball, left alone, would roll over the goal line between the
-    posts (on goal) or within a metre beside one, and that no mate gets next. A kick that an
-    opponent stops within 20 ms is none, for nobody sees where it would have gone.
-    """
-    scenario = play.recording.scenario
-    field, radius = scenario.field, scenario.ball.radius if scenario.ball else 0.0
-    passed, direction = set(passes(play)), play.recording.arrays["direction"]
-    found = []
-    for kick in play.kicks:
-        if _next_touch(play, kick) in passed:
-            continue
-        ahead = float(direction[play.decision[kick.record]]) * (1 - 2 * play.sides[kick.robot])
-        to_go = field.half_length - ahead * kick.x
-        forward = ahead * kick.vx
-        if forward <= 0.0 or to_go <= 0.0:
-            continue
-        y = kick.y + kick.vy * to_go / forward
-        speed, far = hypot(kick.vx, kick.vy), hypot(to_go, y - kick.y)
-        reach = (ROLLING * speed) ** 2 / (2 * field.ball_rolling) if field.ball_rolling else far
-        if reach >= far and abs(y) <= field.goal.width / 2 + WIDE:
-            found.append((kick, abs(y) < field.goal.width / 2 - radius))
-    return found
-
-
-def _next_touch(play: BallPlay, kick: Kick) -> Touch | None:
-    """Who got the ball after the kick; None: nobody before the next stoppage, or the kicker."""
-    after = bisect_right(play.touches, kick.record, key=lambda touch: touch.record)
-    touch = play.touches[after] if after < len(play.touches) else None
-    return touch if touch and touch.before == kick.robot else None
 
 
 def possessions(play: BallPlay) -> tuple[float | None, float | None]:

@@ -10,7 +10,7 @@ PACKAGE = Path(__file__).parents[1] / "soccersim"
 FOUNDATION = {"problems", "kernel", "geometry", "streams", "kinematics", "spec", "state"}
 PARTS = {"plant", "sensing", "estimation", "control"}
 ARMS = {"limbs", "arm_report"}
-TOLD = {"sheet", "touches", "match_report"}  # of a match, from its recording
+TOLD = {"sheet", "touches", "shots", "match_report"}  # of a match, from its recording
 MATCH = {"strategy", "referee", "perception", "match", "verify"} | TOLD
 LOOP = {"limbs", "machine", "simulation", "record"}
 ALL = FOUNDATION | PARTS | ARMS | LOOP | {"bundled", "report", "workers", "repeat"}
@@ -39,7 +39,8 @@ MAY_IMPORT = {  # part: what it may import besides itself and the name and versi
     "simulation": FOUNDATION | PARTS | {"record", "limbs", "machine", "referee"},
     "match": ALL | MATCH - {"verify"},
     "touches": {"record", "sheet"},
-    "match_report": {"record", "sheet", "touches"},
+    "shots": {"sheet", "spec", "touches"},
+    "match_report": {"record", "sheet", "touches", "shots"},
     "verify": {"problems", "record", "simulation", "match"},
     "repeat": {"record", "report", "simulation", "spec", "workers"},
     "bench": ALL | {"render"},

@@ -6,12 +6,12 @@ import re
 import numpy as np
 import pytest
 from pages import ROOT, rows
-from tape import RECORD_HZ, event, tape
+from tape import RECORD_HZ, STRIDE, event, tape
 from test_touches import REACH, rolling, still
 
 from soccersim.match.faults import TeamFault
 from soccersim.match.log import ROWS
-from soccersim.match_report import match_report, team_name
+from soccersim.match_report import match_report, summary, team_name
 from soccersim.record.compact import STEPS
 from soccersim.record.recording import MATCH
 from soccersim.referee.events import Event
@@ -29,15 +29,21 @@ def moved(ball, robots, **told):
     return match_report(tape(ways, ball, **told))
 
 
-def kicked(start, velocity, seconds=0.6, robots=None, side="home", **told):
-    """The report of a kick: from the mouth of one robot, with a velocity."""
+def kicked(start, velocity, seconds=0.6, robots=None, side="home", mate=True, **told):
+    """The report of a kick: from the mouth of one robot, with a velocity.
+
+    mate: a mate has touched the ball before.
+    """
     row = {"home": HOME_2, "away": AWAY_1 + 1}[side]
     x, y = start
     rest = np.tile(start, (10, 1))
     way = start + np.arange(1, int(seconds * RECORD_HZ))[:, None] / RECORD_HZ * np.array(velocity)
+    ball = np.concatenate((rest, way))
     by = np.array(velocity) / np.hypot(*velocity) * REACH
     robots = {row: (x - by[0], y - by[1], 0.0), **(robots or {})}
-    return moved(np.concatenate((rest, way)), robots, kicks=[(9, row)], **told)
+    contact = np.zeros((-(-len(ball) // STRIDE), 10))
+    contact[0, row - 1] = mate
+    return moved(ball, robots, kicks=[(9, row)], contact=contact, **told)
 
 
 # passes
@@ -90,6 +96,21 @@ def test_teams_shoot_at_the_ends_they_play_to():
         right = kicked((6.0 * towards, 0.0), (10.0 * towards, 0.0), side=side, direction=direction)
         wrong = kicked((6.0 * towards, 0.0), (10.0 * towards, 0.0), side=side, direction=-direction)
         assert (right[side]["shots"], wrong[side]["shots"]) == (1, 0)
+
+
+def test_kick_from_which_no_goal_counts_is_no_shot():
+    assert kicked((-1.0, 0.0), (10.0, 0.0))["home"]["shots"] == 0  # from the own half
+    assert kicked((6.0, 0.0), (10.0, 0.0), mate=False)["home"]["shots"] == 0  # the first to touch
+    free = ("match.rules=friendly",)
+    assert kicked((-1.0, 0.0), (10.0, 0.0), settings=free)["home"]["shots"] == 1
+    assert kicked((6.0, 0.0), (10.0, 0.0), mate=False, settings=free)["home"]["shots"] == 1
+
+
+def test_penalty_is_a_shot():
+    phase = ["penalty"] * 6 + ["play"] * 14
+    whose = [0] * 6 + [-1] * 14
+    report = kicked((7.4, 0.0), (10.0, 0.0), mate=False, phase=phase, whose=whose)
+    assert (report["home"]["shots"], report["home"]["restarts"]) == (1, {"penalty": 1})
 
 
 def test_kick_that_a_mate_gets_is_a_pass_and_no_shot():
@@ -151,6 +172,19 @@ def test_report_of_a_match_that_never_began():
     report = match_report(tape(np.zeros((0, 10, 3)), np.zeros((0, 2))))
     assert report["ball"] == {"mean": 0.0, "top": 0.0}
     assert (report["in_play"], report["home"]["kicks"]) == (0.0, 0)
+
+
+def test_summary_says_it_in_a_few_lines():
+    goal = event(0.1, "goal", "home", "goal by home-2 for home, 1:0")
+    report = kicked((6.0, 0.0), (10.0, 0.0), events=[goal], match={"score": [1, 0]})
+    lines = summary(report)
+    assert lines[0] == "roles 1 : 0 chaser"
+    assert "possession                 100 %             0 %" in lines
+    assert "shots (on goal)            1 (1)           0 (0)" in lines
+    assert "in play                    100 % of 1 s" in lines
+    assert all(len(line) < 100 for line in lines)
+    unplayed = summary(match_report(tape(np.zeros((0, 10, 3)), np.zeros((0, 2)))))
+    assert "possession                     -               -" in unplayed
 
 
 def test_report_is_plain_json():

@@ -5,9 +5,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from soccersim.match_report import SIDES, passes, shots, team_names
+from soccersim.match_report import SIDES, team_names
 from soccersim.record.recording import Recording
 from soccersim.sheet import PHASES
+from soccersim.shots import passes, shots
 from soccersim.touches import BallPlay
 
 HOLDS, FADES = 5.0, 1.5  # s that a decision is shown, and that it takes to go
