@@ -9,9 +9,9 @@ from soccersim.referee.phases import Phase
 from soccersim.referee.room import MARGIN, Room
 from soccersim.referee.scene import Scene
 
-READY_SPEED = 0.3  # m/s; slower, a robot stands (ours)
-READY_REACH = 0.6  # m between ball and shell of the taker that waits for START (ours)
-READY_AFTER, READY_FOR = 1.0, 0.4  # s after the signal, s that all must be ready (ours)
+# START before its time (ours): the taker waits at the ball, nobody stands where he may not
+READY_SPEED, READY_REACH = 0.5, 0.6  # m/s of the taker, m between its shell and the ball
+READY_AFTER, READY_FOR = 2.0, 0.4  # s after the signal at least, s that it must have been so
 
 
 class Restart:
@@ -38,9 +38,9 @@ class Restart:
         return min(rows, key=lambda row: scene.far(row, ball), default=None)
 
     def is_ready(self) -> bool:
-        """Whether everybody has stood right for a moment."""
+        """Whether for a moment the taker has waited and everybody has been in a legal place."""
         scene = self.scene
-        if not self._all_stand():
+        if not self._taker_waits() or self.wrong(scene.rules.slack):
             self.ready_since = None
             return False
         if self.ready_since is None:
@@ -48,17 +48,14 @@ class Restart:
         since_signal, since = scene.tick - self.signalled, scene.tick - self.ready_since
         return since_signal >= scene.ticks(READY_AFTER) and since >= scene.ticks(READY_FOR)
 
-    def _all_stand(self) -> bool:
+    def _taker_waits(self) -> bool:
         scene, taker = self.scene, self.taker()
-        if any(scene.playing[row] and scene.speed(row) > READY_SPEED for row in scene.rows):
+        if self.call.whose is None:
+            return True
+        if taker is None:
             return False
-        if self.call.whose is not None:
-            if taker is None:
-                return False
-            reach = scene.radius[taker] + scene.ball_radius + READY_REACH
-            if scene.far(taker, self.call.ball) > reach:
-                return False
-        return not self.wrong(scene.rules.slack)
+        reach = scene.radius[taker] + scene.ball_radius + READY_REACH
+        return scene.far(taker, self.call.ball) < reach and scene.speed(taker) < READY_SPEED
 
     def wrong(self, slack: float) -> list[int]:
         """All who may not stand where they are at START."""

@@ -62,7 +62,7 @@ class Rules(Spec):
     """How long a second one may be in it, on its way (ours; the book: not at all)."""
     keeper_protected: bool = True
     """Whether touching the keeper in its goal area is a foul (2016)."""
-    pushing: Positive | None = 0.3
+    pushing: Positive | None = 0.6
     """How far a robot may shove an opponent (2016 forbids pushing; the measure is ours)."""
     penalties: bool = True
     """Whether pushing by a defender in its own penalty area gives a penalty (2016), not a kick."""

@@ -60,7 +60,7 @@ def opponents(rig, x, y):
 
 def test_who_shoves_an_opponent_away_commits_a_foul():
     rig = opponents(Rig().playing(0.0, -6.0), 1.0, 4.0)
-    rig.run(0.8, drive(rig, "home-4", vx=0.5, also=["away-3"])).run(0.1)
+    rig.run(1.5, drive(rig, "home-4", vx=0.5, also=["away-3"])).run(0.1)
     event = rig.event("pushing")
     assert event.robots == ("home-4", "away-3")
     rig.to_signal()
@@ -78,15 +78,15 @@ def test_robots_that_touch_without_shoving_commit_none():
 
 def test_the_one_that_goes_backwards_is_not_the_one_that_pushes():
     rig = opponents(Rig().playing(0.0, -6.0), 1.0, 4.0)
-    rig.run(0.8, drive(rig, "home-4", vx=-0.5, also=["away-3"])).run(0.1)
+    rig.run(1.5, drive(rig, "home-4", vx=-0.5, also=["away-3"])).run(0.1)
     assert rig.event("pushing").robots == ("away-3", "home-4")
 
 
 def test_pushing_by_a_defender_in_its_penalty_area_is_a_penalty():
     rig = Rig().playing(0.0, -6.0)
-    rig.put("home-3", -9.5, 1.5)
-    rig.put("away-3", -9.019, 1.5)
-    rig.run(0.8, drive(rig, "home-3", vx=0.5, also=["away-3"])).to_signal()
+    rig.put("home-3", -10.2, 1.5)
+    rig.put("away-3", -9.719, 1.5)
+    rig.run(1.5, drive(rig, "home-3", vx=0.5, also=["away-3"])).to_signal()
     assert rig.phase is Phase.PENALTY
     assert rig.referee.whose == 1
     assert tuple(rig.ball) == pytest.approx((-11 + 3.6, 0.0))
@@ -96,7 +96,7 @@ def test_pushing_by_an_attacker_there_is_a_free_kick_outside_it():
     rig = Rig().playing(0.0, -6.0)
     rig.put("home-3", -9.5, 1.5)
     rig.put("away-3", -9.019, 1.5)
-    rig.run(0.8, drive(rig, "away-3", vx=-0.5, also=["home-3"])).to_signal()
+    rig.run(1.5, drive(rig, "away-3", vx=-0.5, also=["home-3"])).to_signal()
     assert rig.phase is Phase.FREE_KICK
     assert rig.referee.whose == 0
     assert tuple(rig.ball) == pytest.approx((-7.4, 3.5))
@@ -104,9 +104,9 @@ def test_pushing_by_an_attacker_there_is_a_free_kick_outside_it():
 
 def penalty():
     rig = Rig().playing(0.0, -6.0)
-    rig.put("home-3", -9.5, 1.5)
-    rig.put("away-3", -9.019, 1.5)
-    rig.run(0.8, drive(rig, "home-3", vx=0.5, also=["away-3"])).to_signal()
+    rig.put("home-3", -10.2, 1.5)
+    rig.put("away-3", -9.719, 1.5)
+    rig.run(1.5, drive(rig, "home-3", vx=0.5, also=["away-3"])).to_signal()
     return rig
 
 
@@ -211,5 +211,5 @@ def test_a_friendly_knows_no_fouls():
     rig.put("away-3", -4.519, 1.0)
     rig.put("away-4", -5.5, -1.5)
     rig.put("away-5", -5.6, 0.0)
-    rig.run(0.8, drive(rig, "home-3", vx=0.5, also=["away-3"])).run(15)
+    rig.run(1.5, drive(rig, "home-3", vx=0.5, also=["away-3"])).run(15)
     assert rig.phase is Phase.PLAY

@@ -31,17 +31,17 @@ def test_start_comes_at_the_latest_seven_seconds_after_stop():
     assert seconds(rig, "out", "start") == pytest.approx(7.0, abs=0.05)
 
 
-def test_start_comes_sooner_when_the_taker_waits_and_all_stand_right():
+def test_start_comes_sooner_when_the_taker_waits_and_nobody_stands_wrong():
     rig = throw_in()
     rig.put("away-3", 1.5, 7.2)
     rig.to_start()
-    assert seconds(rig, "throw_in", "start") == pytest.approx(1.0, abs=0.1)
+    assert seconds(rig, "throw_in", "start") == pytest.approx(2.0, abs=0.1)
 
 
 @pytest.mark.parametrize("what", ["taker moves", "mate near", "opponent near"])
 def test_start_waits_for_who_is_not_ready(what):
     rig = throw_in()
-    rig.put("away-3", 1.5, 7.2, 0, 0.5 if what == "taker moves" else 0)
+    rig.put("away-3", 1.5, 7.2, 0, 0.6 if what == "taker moves" else 0)
     if what == "mate near":
         rig.put("away-4", 1.0, 5.4)
     if what == "opponent near":
