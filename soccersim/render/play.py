@@ -20,6 +20,7 @@ APART = 2.0  # px between truth and belief from which the ghost is shown
 TURNED = 2.0 * pi / 180  # the same of the heading
 NUMBER = 1.55  # size of a number's letters beside the radius of the hub
 SMALLEST = 9  # px, of a number's letters
+TINY = 6.0  # px; a smaller robot goes without its number, which would hide it
 LABEL = 12  # px, letters of a number at a target
 BEHIND = 1.9  # radii from the target to its number, away from its arrow
 
@@ -124,8 +125,8 @@ def _label(player: Player, several: bool, scale: float) -> pygame.Surface:
 
 def _numbers(player: Player, px_per_m: float) -> tuple[pygame.Surface, pygame.Surface]:
     """A robot's number, to stand upright on its hub: out of play, and in play."""
-    text = str(player.number)
-    size = NUMBER * HUB * player.model.radius * px_per_m * (1.0 if len(text) == 1 else 0.8)
+    text = str(player.number) if player.model.radius * px_per_m >= TINY else ""
+    size = NUMBER * HUB * player.model.radius * px_per_m * (1.0 if len(text) < 2 else 0.8)
     dim, bright = (
         Lettering(max(size, SMALLEST), ink, None, bold=True).word(text)
         for ink in (look.FAINT, look.INK)
