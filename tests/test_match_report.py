@@ -179,7 +179,7 @@ def test_summary_says_it_in_a_few_lines():
     report = kicked((6.0, 0.0), (10.0, 0.0), events=[goal], match={"score": [1, 0]})
     lines = summary(report)
     said = [line.split() for line in lines]
-    assert ["roles", "1", ":", "0", "chaser"] == said[0]
+    assert said[0] == ["roles", "1", ":", "0", "chaser"]
     assert ["possession", "100", "%", "0", "%"] in said
     assert ["shots", "(on", "goal)", "1", "(1)", "0", "(0)"] in said
     assert ["in", "play", "100", "%", "of", "1", "s"] in said
