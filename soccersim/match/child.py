@@ -2,6 +2,7 @@
 
 import json
 import os
+import shutil
 import threading
 from collections.abc import Callable
 from contextlib import suppress
@@ -34,7 +35,7 @@ def serve(folder: Path, work: Callable[[Document, Turn, Path], Document]) -> Non
     nothing = os.open(os.devnull, os.O_RDONLY)
     os.dup2(nothing, 0)  # what strategies may read: there is no input
     os.close(nothing)
-    threading.Thread(target=follow_parent, args=(parent, turn), daemon=True).start()
+    threading.Thread(target=follow_parent, args=(parent, turn, folder), daemon=True).start()
     keep_traces(folder / TRACE)
     outcome = told(lambda: work(json.loads((folder / REQUEST).read_text("utf-8")), turn, folder))
     part = folder / (OUTCOME + ".part")
@@ -99,7 +100,7 @@ def keep_standard_files() -> None:
             os.open(os.devnull, os.O_RDWR)
 
 
-def follow_parent(parent: int, turn: Turn) -> None:
+def follow_parent(parent: int, turn: Turn, folder: Path) -> None:
     """End with the process that asked for this match, however that ends: it holds a pipe open."""
     with suppress(OSError):
         while os.read(parent, 64):
@@ -107,4 +108,5 @@ def follow_parent(parent: int, turn: Turn) -> None:
         for pid in turn.processes:
             if pid:
                 end_group(pid)
+        shutil.rmtree(folder, ignore_errors=True)
         end_group(os.getpid())

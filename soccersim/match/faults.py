@@ -1,6 +1,7 @@
 """What a team may do wrong, so that the match is over and it has lost."""
 
 import importlib
+import re
 import traceback
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,11 +14,13 @@ from soccersim.problems import one_line
 IMPORT, INIT, EXCEPTION = "import", "init", "exception"
 BAD_COMMAND, DEADLINE, MEMORY, EXIT, CRASH = "bad_command", "deadline", "memory", "exit", "crash"
 KINDS = (IMPORT, INIT, EXCEPTION, BAD_COMMAND, DEADLINE, MEMORY, EXIT, CRASH)
+SPACE = re.compile(r"(?m)^([ |]*)team_\d+\.")  # before the names of a team's own exceptions
 LAST_LINES = 12  # of a traceback that are kept
 LONGEST_LINE = 300  # characters
 LOST_BY = 3  # goals: a forfeit counts 0:3, or worse
 OURS = str(Path(__file__).parents[1])  # code that a team's traceback begins in ...
-LOADER = (OURS, importlib.__file__ or OURS, "<frozen importlib")
+IMPORTING = (importlib.__file__ or OURS, "<frozen importlib")
+LOADING = (str(Path(OURS, "strategy")), *IMPORTING)
 BUNDLED = str(Path(OURS, "bundled"))  # ... but for the strategies that come with it
 
 
@@ -57,20 +60,23 @@ def blamed(error: BaseException, kind: str) -> Forfeit:
         told = "".join(traceback.format_exception(error.with_traceback(own_part(error))))
     except BaseException:  # an exception whose own __str__ raises
         told = type(error).__name__
-    return Forfeit(kind, last_lines(told))
+    return Forfeit(kind, last_lines(SPACE.sub(r"\1", told)))
 
 
 def own_part(error: BaseException) -> TracebackType | None:
-    """The traceback from where the team's own code begins; all of it where it never does."""
-    trace = error.__traceback__
-    while trace and is_ours(trace.tb_frame.f_code.co_filename):
+    """The traceback from where the team's own code begins.
+
+    None where its loading failed before that; all of it where it never gets there.
+    """
+    trace, file = error.__traceback__, ""
+    while trace and is_ours(file := trace.tb_frame.f_code.co_filename):
         trace = trace.tb_next
-    return trace or error.__traceback__
+    return trace or (None if file.startswith(LOADING) else error.__traceback__)
 
 
 def is_ours(file: str) -> bool:
     """Whether this code is the simulator's, or what it loads a team with."""
-    return file.startswith(LOADER) and not file.startswith(BUNDLED)
+    return file.startswith((OURS, *IMPORTING)) and not file.startswith(BUNDLED)
 
 
 def last_lines(text: str) -> str:

@@ -4,10 +4,9 @@ from collections.abc import Iterable
 from os import PathLike, fspath
 from pathlib import Path
 
+from soccersim.match.request import match_request
 from soccersim.match.seating import Isolate
-from soccersim.match.supervise import Outcome, Request, play
-from soccersim.spec.load import load_scenario
-from soccersim.strategy.load import locate
+from soccersim.match.supervise import Outcome, play
 
 Named = str | PathLike[str]
 
@@ -30,7 +29,14 @@ def play_match(
 
     >>> play_match("roles", "chaser", seed=3, duration=60).score
     """
-    wanted = [*settings, *([] if duration is None else [f"duration={float(duration)!r}"])]
-    loaded = load_scenario(fspath(scenario), seed=seed, settings=wanted)
-    origins = locate(fspath(home)), locate(fspath(away))
-    return play(Request(loaded, origins, isolate, recording))
+    asked = match_request(
+        fspath(home),
+        fspath(away),
+        fspath(scenario),
+        seed=seed,
+        duration=duration,
+        settings=settings,
+        isolate=isolate,
+        recording=recording,
+    )
+    return play(asked)

@@ -62,6 +62,7 @@ class ProcessSeat:
         self.stopwatch = Stopwatch(self.process.pid, thread=False)
         self.asked = 0
         self.data = b""
+        self.lost: Forfeit | None = None
         setup = {
             "slot": slot,
             "origin": asdict(origin),
@@ -89,6 +90,8 @@ class ProcessSeat:
 
     def answer(self) -> Answer:
         """Wait for the answer."""
+        if self.lost:
+            raise self.lost
         kind, body = self._receive(DECIDE)
         if kind == FAULT:
             raise self._fault(kind, body)
@@ -108,10 +111,8 @@ class ProcessSeat:
         try:
             while data:
                 data = data[os.write(self.sink, data) :]
-        except (
-            BlockingIOError
-        ):  # it does not read, and answers nevertheless
-            raise self._nonsense(ValueError("answers to nothing")) from None
+        except BlockingIOError:  # it does not read, and answers nevertheless
+            self.lost = self._nonsense(ValueError("answers to what it was not asked"))
         except OSError:
             pass  # it has ended: answer() finds out how
 

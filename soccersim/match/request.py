@@ -42,8 +42,5 @@ def match_of(spec: Scenario, source: str) -> Scenario:
     """The scenario, if it is a match."""
     if spec.match is None:
         name = one_line(source)
-        wrong = (
-            f"`{name}` is no match: `soccersim run {name}` runs it, `soccersim list` names others"
-        )
-        raise InputError(Problem(wrong))
+        raise InputError(Problem(f"is no match: `soccersim run {name}` runs it", name))
     return spec
