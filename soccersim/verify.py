@@ -1,4 +1,4 @@
-"""Play a recording again from what was ordered, and find the first record that comes out otherwise."""
+"""Play a recording again from what was ordered, and find the first record that differs."""
 
 from collections.abc import Callable
 from typing import NamedTuple

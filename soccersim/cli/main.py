@@ -16,6 +16,7 @@ VERBS = {  # verb: what it does; its command stands in cli/verb.py
     "reproduce": "Every table of the papers beside ours.",
     "match": "Play a match of two strategies.",
     "tune": "Ziegler-Nichols gains from a simulated experiment.",
+    "replay": "Look at a recording again, or check it bit by bit.",
     "bench": "Measure this machine's speed, beside the floor.",
     "schema": "Print the JSON Schema of scenario files, for editors.",
 }

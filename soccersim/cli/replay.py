@@ -38,9 +38,9 @@ def command(
         click.echo(described(loaded))
     for path, write in ((video, "video"), (frames, "frames")):
         if path:
-            with Results(path.parent, (path.name,), force) as results:
-                with results.new(path.name) as part:
-                    _draw(loaded, part, write)
+            folder = Results(path.parent, (path.name,), force)
+            with folder as results, results.new(path.name) as part:
+                _draw(loaded, part, write)
             click.echo(f"wrote {path}", err=True)
     if verify:
         _verify(loaded)

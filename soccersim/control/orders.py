@@ -6,7 +6,7 @@ last one it heard, and stops when it has heard none for a while.
 
 from collections.abc import Sequence
 from math import inf
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -32,7 +32,7 @@ class Orders(NamedTuple):
     arrival: Whole  # (R, K) tick at which a packet is there; -1: no packet
     packet: Array  # (R, K, 5) vx, vy, omega in the body frame, kick, dribble
     chance: Array  # (R, BLOCK) uniform in [0, 1): below `loss` a packet is lost
-    sent: Whole  # (R,) packets so far
+    sent: Whole  # (1,) packets to each robot so far
     heard: Whole  # (R,) tick of the last packet that arrived; -1: none yet
     wanted: Array  # (R, 3) its twist; body frame
     velocity: Array  # (R, 3) vx, vy, omega asked for at the last step; field frame
@@ -61,7 +61,7 @@ def build_orders(
         arrival=np.full((count, slots), NEVER),
         packet=np.zeros((count, slots, VALUES)),
         chance=np.zeros((count, BLOCK)),
-        sent=np.zeros(count, np.int64),
+        sent=np.zeros(1, np.int64),
         heard=np.full(count, NEVER),
         wanted=np.zeros((count, 3)),
         velocity=np.zeros((count, 3)),
@@ -73,23 +73,22 @@ def build_orders(
     )
 
 
-def post(orders: Orders, rows: Sequence[int], values: Any, tick: int) -> None:
-    """Send a packet to each of the robots in rows; values (n, 5) as in Orders.packet.
+def post(orders: Orders, values: Array, tick: int) -> None:
+    """Send a packet to every robot; values (R, 5) as in Orders.packet.
 
     Whether it arrives is a matter of the robot's own stream, one draw a packet.
     """
-    slots, arrival = orders.arrival.shape[1], tick + orders.delay
-    for robot, packet in zip(rows, values, strict=True):
-        number = int(orders.sent[robot])
-        orders.sent[robot] = number + 1
-        if orders.loss > 0.0:
-            if number % BLOCK == 0:
-                name = f"radio.order.{number // BLOCK}"
+    number, arrival = int(orders.sent[0]), tick + orders.delay
+    orders.sent[0] = number + 1
+    slot, draw = number % orders.arrival.shape[1], number % BLOCK
+    orders.packet[:, slot] = values
+    orders.arrival[:, slot] = arrival
+    if orders.loss > 0.0:
+        if draw == 0:
+            name = f"radio.order.{number // BLOCK}"
+            for robot in range(len(orders.chance)):
                 orders.chance[robot] = stream(orders.seed, robot, name).random(BLOCK)
-            if orders.chance[robot, number % BLOCK] < orders.loss:
-                continue
-        orders.packet[robot, number % slots] = packet
-        orders.arrival[robot, number % slots] = arrival
+        orders.arrival[orders.chance[:, draw] < orders.loss, slot] = NEVER
 
 
 def forget(orders: Orders, robot: int) -> None:

@@ -20,7 +20,8 @@ from soccersim.match.turn import SIDES, Turn
 from soccersim.perception import Perception
 from soccersim.record import Recording
 from soccersim.record.compact import rounded
-from soccersim.referee.judge import Referee, Ruling
+from soccersim.referee.events import Ruling
+from soccersim.referee.judge import Referee
 from soccersim.sheet import GOALS, HALF, LEFT, PHASE, PHASES, STARTED, TIME, WHOSE, sheet_size
 from soccersim.simulation import Simulation
 from soccersim.spec.scenario import Scenario
@@ -50,6 +51,9 @@ class Game:
         self.perception = Perception(scenario)
         self.referee = Referee(scenario)
         self.rows = [team_rows(scenario, slot) for slot in (0, 1)]
+        self.order = np.argsort(
+            self.rows[0] + self.rows[1]
+        )  # of the teams' rows, one after the other
         self.log = MatchLog(scenario)
         self.decide_every = scenario.every(match.decide_hz)
         self.beat = int(np.gcd(self.decide_every, self.perception.beat))
@@ -137,12 +141,12 @@ class Game:
 
     def _send(self, answers: list[Answer], tick: int) -> None:
         """The orders on their way, as the packets hold them."""
-        orders = self.log.orders
-        for rows, answer in zip(self.rows, answers, strict=True):
-            orders[rows] = answer.orders
-        np.clip(orders, -MOST, MOST, out=orders)
-        orders[:] = rounded("orders", orders)
-        post(self.simulation.machine.orders, range(len(orders)), orders, tick)
+        home, away = answers
+        orders = np.array(home.orders + away.orders)[self.order]
+        np.minimum(np.maximum(orders, -MOST, out=orders), MOST, out=orders)
+        orders = rounded("orders", orders)
+        self.log.orders = orders
+        post(self.simulation.machine.orders, orders, tick)
 
     def _place_robot(self, row: int, pose: tuple[float, float, float]) -> None:
         self.simulation.place_robot(row, *pose)

@@ -22,7 +22,7 @@ class MatchLog:
 
     def __init__(self, scenario: Scenario) -> None:
         robots = len(scenario.robots)
-        self.orders = np.zeros((robots, 5))  # vx, vy, omega, kick, dribble; body frame
+        self.orders = np.zeros((robots, 5), np.float32)  # last; vx, vy, omega, kick, dribble
         self.events: list[Event] = []
         self.rows: dict[str, list[Any]] = {key: [] for key in ROWS}
         self.labels: list[list[Any]] = []  # [decision, robot, text], where one changes
@@ -35,7 +35,7 @@ class MatchLog:
         referee, m, rows = game.referee, game.simulation.machine, self.rows
         decision = len(rows["decision_tick"])
         rows["decision_tick"].append(tick)
-        rows["orders"].append(self.orders.astype(np.float32))
+        rows["orders"].append(self.orders)
         rows["in_play"].append(np.array(referee.in_play, np.uint8))
         rows["contact"].append(m.readings.contact.astype(np.uint8))
         rows["kicked"].append(m.handling.kicked.astype(np.int32))

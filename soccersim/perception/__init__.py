@@ -17,7 +17,7 @@ from soccersim.perception.telling import tell
 from soccersim.perception.watching import perceive, reveal
 from soccersim.sensing.camera import DrawSource
 from soccersim.spec.scenario import Scenario
-from soccersim.state import Array, Estimate, Readings, Truth
+from soccersim.state import Array, Estimate, Readings, Truth, Whole
 
 
 class Perception:
@@ -31,6 +31,7 @@ class Perception:
         self._known = build_known(scenario)
         self._dt = scenario.dt
         self._tick = -1  # of the last step
+        self._rulings: tuple[Sequence[int] | Array, Sequence[float] | Array]
         self.beat: int = self._eyes.camera.every
         """Ticks from frame to frame: `step` is called at least that often."""
 
@@ -40,17 +41,19 @@ class Perception:
         readings: Readings,
         estimate: Estimate,
         tick: int,
-        in_play: Sequence[int] | Array,
+        in_play: Sequence[int] | Whole,
         direction: Sequence[float] | Array,
     ) -> None:
         """Look, work on what was seen, hear reports; corrects estimate.pose of the robots.
 
         in_play (R,) says who plays: the others neither see, nor are seen, nor report.
-        direction (2,) is +1 where a team attacks +x, else -1.
+        direction (2,) is +1 where a team attacks +x, else -1. Both are looked at again by `fill`:
+        in between the referee may have changed them.
         """
         eyes, known = self._eyes, self._known
-        known.playing[:], known.direction[:] = in_play, direction
-        self._tick = tick
+        self._tick, self._rulings = tick, (in_play, direction)
+        known.playing[:] = in_play
+        known.direction[:] = direction
         if self._all_seeing:
             reveal(known, truth.body, readings.contact, tick)
             return
@@ -61,6 +64,7 @@ class Perception:
 
     def fill(self, sheet: Array, slot: int, tick: int) -> None:
         """Write what a team knows into its sheet: numbers 8 and on, as soccersim.sheet says."""
+        self._known.playing[:], self._known.direction[:] = self._rulings
         tell(self._known, sheet, slot, tick, self._dt)
 
     def place(self, robot: int, pose: Sequence[float]) -> None:

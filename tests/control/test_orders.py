@@ -34,8 +34,8 @@ class Team:
         self.tick = 0
 
     def order(self, vx=0.0, vy=0.0, omega=0.0, kick=0.0, dribble=0.0):
-        rows = range(len(self.command.kick))
-        post(self.orders, rows, [(vx, vy, omega, kick, dribble)] * len(rows), self.tick)
+        packets = np.array([(vx, vy, omega, kick, dribble)] * len(self.command.kick))
+        post(self.orders, packets, self.tick)
 
     def go(self, ticks):
         for _ in range(ticks):
