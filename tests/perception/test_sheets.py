@@ -44,8 +44,7 @@ def test_both_teams_see_their_own_goal_at_minus_x():
     assert away.robots[:, 3:5] == pytest.approx(-game.truth.body[2:4, :2], abs=1e-6)
     facing = game.truth.body[2:4, 2] + pi
     assert np.cos(away.robots[:, 5] - facing) == pytest.approx([1, 1])
-    game.direction[:] = (-1, 1)  # the ends are changed
-    game.look()
+    game.direction[:] = (-1, 1)  # the referee has changed ends: at once, no frame in between
     assert game.sheet(0).ball[:4] == pytest.approx(away.ball[:4], abs=1e-2)
     assert game.sheet(1).robots[:, 3:5] == pytest.approx(game.truth.body[2:4, :2], abs=1e-6)
 
