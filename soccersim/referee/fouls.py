@@ -1,6 +1,6 @@
 """What stops play besides the ball going out: fouls, and a ball that gets nowhere."""
 
-from math import hypot
+from math import hypot, inf
 
 from soccersim.referee.events import Call, Place
 from soccersim.referee.ground import Ground
@@ -18,10 +18,17 @@ class Fouls:
 
     def __init__(self, scene: Scene, ground: Ground) -> None:
         self.scene, self.ground = scene, ground
-        self.area_ticks = scene.ticks(scene.rules.area_time or 0.0)
-        self.grace_ticks = scene.ticks(scene.rules.area_grace)
-        self.stuck_ticks = scene.ticks(scene.rules.stuck_time)
-        self.leave_ticks = scene.ticks(scene.rules.leave_time or 0.0)
+        rules = scene.rules
+        self.area_ticks = scene.ticks(rules.area_time or 0.0)
+        self.grace_ticks = scene.ticks(rules.area_grace)
+        self.stuck_ticks = scene.ticks(rules.stuck_time)
+        self.leave_ticks = scene.ticks(rules.leave_time or 0.0)
+        area = scene.field.penalty_area
+        played = rules.area_time is not None and area is not None
+        self.area_x = ground.half_length - area.depth if played and area else inf
+        self.area_y = area.width / 2 if area else 0.0
+        self.beyond_x = [ground.half_length + radius for radius in scene.radius]
+        self.beyond_y = [ground.half_width + radius for radius in scene.radius]
         self.begin()
 
     def begin(self) -> None:
@@ -31,7 +38,7 @@ class Fouls:
         self.anchor: Place = (scene.x, scene.y)
         self.anchored = scene.tick
         self.entered: dict[int, int] = {}  # row in a penalty area: since when
-        self.crowded: dict[tuple[float, int], int] = {}  # end, slot with two in an area: since
+        self.crowded: dict[tuple[bool, int], int] = {}  # end, slot with two in an area: since
         self.outside: dict[int, int] = {}  # row outside the lines: since when
 
     def check(self, watch: Watch) -> Call | None:
@@ -42,8 +49,9 @@ class Fouls:
             call = self._dribbling(watch, rules.dribble)
         if call is None and rules.keeper_protected:
             call = self._keeper(watch)
-        if call is None and rules.area_time is not None:
-            call = self._areas()
+        inside = self._look()
+        if call is None and (inside or self.entered):
+            call = self._areas(inside)
         self.seen = self.scene.tick
         return call or self._stuck()
 
@@ -85,7 +93,7 @@ class Fouls:
     def _keeper(self, watch: Watch) -> Call | None:
         """An opponent touches a keeper in its goal area."""
         scene, met = self.scene, watch.met
-        if not len(met) or met.max() <= self.seen:
+        if watch.contact[0] <= self.seen:
             return None
         for pair, tick in enumerate(met.tolist()):
             if tick <= self.seen:
@@ -98,25 +106,39 @@ class Fouls:
                     return self._foul("keeper", KEEPER, text, at, other, (keeper,))
         return None
 
-    def _areas(self) -> Call | None:
+    def _look(self) -> list[int]:
+        """Who is in a penalty area, keepers in their own excepted; notes who is outside."""
+        scene, tick = self.scene, self.scene.tick
+        inside, outside = [], {}
+        for row in scene.rows:
+            body = scene.body[row]
+            x, y = abs(body[0]), abs(body[1])
+            if not scene.playing[row]:
+                continue
+            own_keeper = scene.keeper[row] and scene.ahead(row, body[0]) < 0.0
+            if x >= self.area_x and y <= self.area_y and not own_keeper:
+                inside.append(row)
+            if x > self.beyond_x[row] or y > self.beyond_y[row]:
+                outside[row] = self.outside.get(row, tick)
+        self.outside = outside
+        return inside
+
+    def _areas(self, inside: list[int]) -> Call | None:
         """One robot of each side may be in a penalty area for a while, besides its keeper."""
         scene, tick = self.scene, self.scene.tick
-        groups: dict[tuple[float, int], list[int]] = {}
-        entered: dict[int, int] = {}
-        for row in scene.rows:
-            end = self.ground.penalty_end(*scene.place(row)) if scene.playing[row] else 0.0
-            if end and not (scene.keeper[row] and end == -scene.direction[scene.slot[row]]):
-                groups.setdefault((end, scene.slot[row]), []).append(row)
-                entered[row] = self.entered.get(row, tick)
-        self.entered = entered
-        crowded = {k: self.crowded.get(k, tick) for k, rows in groups.items() if len(rows) > 1}
-        self.crowded = crowded
-        for row, since in entered.items():
+        groups: dict[tuple[bool, int], list[int]] = {}
+        for row in inside:
+            groups.setdefault((scene.body[row][0] > 0.0, scene.slot[row]), []).append(row)
+        self.entered = {row: self.entered.get(row, tick) for row in inside}
+        crowds = {key: rows for key, rows in groups.items() if len(rows) > 1}
+        self.crowded = {key: self.crowded.get(key, tick) for key in crowds}
+        for row, since in self.entered.items():
             if tick - since > self.area_ticks:
                 return self._area(row, "stays too long")
-        for key, since in crowded.items():
+        for key, since in self.crowded.items():
             if tick - since > self.grace_ticks:
-                return self._area(max(groups[key], key=lambda row: entered[row]), "is the second")
+                last = max(crowds[key], key=self.entered.__getitem__)
+                return self._area(last, "is the second")
         return None
 
     def _area(self, row: int, what: str) -> Call:
@@ -137,14 +159,7 @@ class Fouls:
 
     def leavers(self) -> list[int]:
         """Robots that have been wholly outside the lines for too long."""
-        scene, ground = self.scene, self.ground
-        if scene.rules.leave_time is None:
+        if not self.outside or self.scene.rules.leave_time is None:
             return []
-        outside = {}
-        for row in scene.rows:
-            x, y, radius = scene.body[row][0], scene.body[row][1], scene.radius[row]
-            beyond = max(abs(x) - ground.half_length, abs(y) - ground.half_width)
-            if beyond > radius and scene.playing[row]:
-                outside[row] = self.outside.get(row, scene.tick)
-        self.outside = outside
-        return [row for row, since in outside.items() if scene.tick - since > self.leave_ticks]
+        tick = self.scene.tick
+        return [row for row, since in self.outside.items() if tick - since > self.leave_ticks]

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from math import hypot
+from typing import NamedTuple
 
 from soccersim.referee.events import Call, Place, Pose
 from soccersim.referee.ground import Ground
@@ -12,6 +13,13 @@ from soccersim.referee.scene import Scene
 # START before its time (ours): the taker waits at the ball, nobody stands where he may not
 READY_SPEED, READY_REACH = 0.5, 0.6  # m/s of the taker, m between its shell and the ball
 READY_AFTER, READY_FOR = 2.0, 0.4  # s after the signal at least, s that it must have been so
+
+
+class Free(NamedTuple):
+    """Who may stand at any distance from the ball."""
+
+    taker: int | None  # row
+    spared: list[int]  # a robot of each team in its own penalty area
 
 
 class Restart:
@@ -59,23 +67,27 @@ class Restart:
 
     def wrong(self, slack: float) -> list[int]:
         """All who may not stand where they are at START."""
-        scene, taker = self.scene, self.taker()
+        scene, free = self.scene, self._free()
         return [
             row
             for row in scene.rows
-            if scene.playing[row] and self._is_wrong(row, *scene.place(row), taker, slack)
+            if scene.playing[row] and self._is_wrong(row, *scene.place(row), free, slack)
         ]
 
     def intruders(self) -> list[int]:
         """Who is too near after START, before the ball is in play."""
         if self.call.restart is Phase.DROPPED_BALL:
             return []
-        scene, taker, slack = self.scene, self.taker(), self.scene.rules.slack
-        return [
+        scene, slack = self.scene, self.scene.rules.slack
+        near = [
             row
             for row in scene.rows
-            if scene.playing[row] and row != taker and self._is_near(row, *scene.place(row), slack)
+            if scene.playing[row] and self._is_near(row, *scene.place(row), slack)
         ]
+        if not near or near == [self.taken_by]:
+            return []
+        free = self._free()
+        return [row for row in near if row != free.taker and row not in free.spared]
 
     def carried(self, slack: float) -> Iterator[tuple[int, Pose]]:
         """Who stands wrong, and the nearest place where he may stand, one after the other."""
@@ -92,17 +104,16 @@ class Restart:
         return rules.mates if self.scene.slot[row] == self.call.whose else rules.opponents
 
     def _is_near(self, row: int, x: float, y: float, slack: float) -> bool:
-        """Whether a robot there, not the taker, would be too near the ball."""
+        """Whether a robot there would be too near the ball, if it is not free to be there."""
         ball = self.call.ball
-        if hypot(x - ball[0], y - ball[1]) >= self._distance(row) - slack:
-            return False
-        return row not in self._spared()
+        return hypot(x - ball[0], y - ball[1]) < self._distance(row) - slack
 
-    def _spared(self) -> list[int]:
-        """One robot a team may stand in its own penalty area at any distance, the keeper first."""
+    def _free(self) -> Free:
+        """Who may stand near the ball now; the keeper where several are in their penalty area."""
+        scene = self.scene
+        spared: list[int] = []
         if self.call.restart in (Phase.GOAL_KICK, Phase.PENALTY):
-            return []
-        scene, spared = self.scene, []
+            return Free(self.taker(), spared)
         for slot in (0, 1):
             own = [
                 row
@@ -112,21 +123,21 @@ class Restart:
                 and self.ground.penalty_end(*scene.place(row)) == -scene.direction[slot]
             ]
             spared += sorted(own, key=lambda row: not scene.keeper[row])[:1]
-        return spared
+        return Free(self.taker(), spared)
 
-    def _is_wrong(self, row: int, x: float, y: float, taker: int | None, slack: float) -> bool:
+    def _is_wrong(self, row: int, x: float, y: float, free: Free, slack: float) -> bool:
         """Whether the robot may not stand there at START."""
         scene, restart = self.scene, self.call.restart
         if restart is Phase.PENALTY and self._is_goalie(row):
             line = self.room.line - scene.radius[row]
             return abs(self.end * x - line) > slack + MARGIN or abs(y) > scene.field.goal.width / 2
-        if row == taker:
+        if row == free.taker:
             return False
         if restart is Phase.KICK_OFF and scene.ahead(row, x) > (slack or -scene.radius[row]):
             return True
         if restart is Phase.PENALTY and self.ground.penalty_end(x, y):
             return not (scene.keeper[row] and scene.ahead(row, x) < 0.0)
-        return self._is_near(row, x, y, slack)
+        return self._is_near(row, x, y, slack) and row not in free.spared
 
     def _is_goalie(self, row: int) -> bool:
         """Whether it keeps the goal that the penalty goes to."""
@@ -135,7 +146,7 @@ class Restart:
 
     def _legal_place(self, row: int) -> Pose | None:
         """The nearest place where the robot may stand at START; None: there is none."""
-        scene, ball, taker = self.scene, self.call.ball, self.taker()
+        scene, ball, free = self.scene, self.call.ball, self._free()
         x, y = scene.place(row)
         start: Place = (x, y)
         if self.call.restart is Phase.PENALTY and self._is_goalie(row):
@@ -148,6 +159,6 @@ class Restart:
                 share = keep / apart * (1.0 + 1e-9)
                 start = ball[0] + (x - ball[0]) * share, ball[1] + (y - ball[1]) * share
         place = self.room.find(
-            row, start, ball, lambda px, py: not self._is_wrong(row, px, py, taker, 0.0)
+            row, start, ball, lambda px, py: not self._is_wrong(row, px, py, free, 0.0)
         )
         return (*place, scene.body[row][2]) if place else None

@@ -47,6 +47,7 @@ class Watch(NamedTuple):
     pairs: Whole  # (P, 2)  robots of home with robots of away
     near: Array  # (P,)  distance of centres at which they touch
     met: Whole  # (P,)  tick of their last contact
+    contact: Whole  # (1,)  tick of the last contact of any pair
     shove: Array  # (P,)  m that home shoved away in this contact; negative: away shoved home
     pushed: Array  # (5,)  tick (-1: none), pusher, pushed, x, y of the contact
 
@@ -85,6 +86,7 @@ def build_watch(scenario: Scenario) -> Watch:
         pairs=np.array(pairs, np.int64).reshape(-1, 2),
         near=np.array([radius[i] + radius[j] + TOUCH for i, j in pairs], float),
         met=np.full(len(pairs), NEVER),
+        contact=np.array([NEVER]),
         shove=z(len(pairs)),
         pushed=np.array([-1.0, -1.0, -1.0, 0.0, 0.0]),
     )
@@ -161,7 +163,7 @@ def see_contacts(w: Watch, truth: Truth, tick: int) -> None:
             continue
         if tick - w.met[pair] > w.release:
             w.shove[pair] = 0.0
-        w.met[pair] = tick
+        w.met[pair] = w.contact[0] = tick
         apart = sqrt(apart)
         home = (truth.body[i, 3] * nx + truth.body[i, 4] * ny) / apart  # m/s towards away
         away = (truth.body[j, 3] * nx + truth.body[j, 4] * ny) / apart
