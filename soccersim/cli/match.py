@@ -95,7 +95,8 @@ def command(
             recording = Recording.load(document["recording"])
             report = {**document, "report": match_report(recording)}
         if out:
-            wanted = {"report.json": True, "frames": frames, "video.mp4": video}
+            begun = len(recording.tick) > 0  # else a team forfeited at once: nothing to draw
+            wanted = {"report.json": True, "frames": begun and frames, "video.mp4": begun and video}
             write(recording, report, results, wanted)
         if as_json:
             click.echo(json.dumps(document, allow_nan=False))
