@@ -1,34 +1,37 @@
-"""Newcomer: the nearest robot goes for the ball and shoots, the others keep their places."""
+"""Newcomer: who can have the ball first goes for it, passes and shoots; the others keep places."""
+
+from typing import Any
 
 from soccersim.strategy import Command, Phase, Player, Strategy, View, skills
+
+PLACES = ((-6.0, -1.5), (-4.0, 2.0), (2.5, -3.5), (4.0, 2.5))  # m, while the ball is in the middle
 
 
 class Newcomer(Strategy):
     """A team to start from. decide() is asked 25 times a second; change it as you like."""
 
-    def __init__(self, rng, far_shot=8.0):
+    def __init__(self, rng: Any, far_shot: float = 6.0) -> None:
         super().__init__(rng)
         self.far_shot = far_shot  # m from the goal; an option, which a scenario may set
 
     def decide(self, view: View) -> list[Command]:
         """One command a robot, in the order of view.robots."""
-        return [self.command(view, robot) for robot in view.robots]
+        field_players = [robot for robot in view.robots if robot.role != "keeper"]
+        first = skills.quickest(view, field_players)
+        return [self.command(view, robot, robot is first) for robot in view.robots]
 
-    def command(self, view: View, robot: Player) -> Command:
+    def command(self, view: View, robot: Player, is_first: bool) -> Command:
         """What one robot does."""
-        ball = view.ball
         if robot.role == "keeper":
             return skills.block(view, robot, out=0.6)
-        if ball is None:
-            return skills.go_to(view, robot, *self.place(view, robot))
-        field_players = [each for each in view.robots if each.role != "keeper"]
-        nearest = skills.nearest(field_players, ball.x, ball.y)
-        if view.phase is Phase.PLAY:
-            return self.play(view, robot) if robot is nearest else self.support(view, robot)
-        return self.restart(view, robot, robot is nearest)
+        if view.phase is not Phase.PLAY:
+            return self.restart(view, robot, is_first)
+        if is_first:
+            return self.attack(view, robot)
+        return skills.go_to(view, robot, *self.place(view, robot), area=False)
 
-    def play(self, view: View, robot: Player) -> Command:
-        """Attack with the ball, or get it."""
+    def attack(self, view: View, robot: Player) -> Command:
+        """Get the ball; with it shoot, pass, or kick it ahead."""
         if not robot.has_ball:
             return skills.intercept(view, robot)
         goal = view.field.length / 2
@@ -37,25 +40,20 @@ class Newcomer(Strategy):
         mate, _ = skills.best_pass(view, robot)
         if mate:
             return skills.pass_to(view, robot, mate)
-        return skills.dribble(view, robot, goal, 0.0)
-
-    def support(self, view: View, robot: Player) -> Command:
-        """Keep the own place, which moves along with the ball."""
-        x, y = self.place(view, robot)
-        return skills.go_to(view, robot, x + view.ball.x / 2, y, area=False)
+        return skills.kick_at(view, robot, goal, robot.y, speed=5.0, sure=0.1)
 
     def restart(self, view: View, robot: Player, takes: bool) -> Command:
-        """Before the ball is in play: take the kick, or keep away from it."""
-        mate, _ = skills.best_pass(view, robot)
-        aim = mate or skills.nearest([r for r in view.robots if r is not robot], robot.x, robot.y)
-        if not (view.ours and takes and aim):
-            return skills.keep_distance(view, robot, *self.place(view, robot))
+        """Before the ball is in play: take the kick if it is ours, or keep away from it."""
+        x, y = self.place(view, robot)
+        mates = [mate for mate in view.robots if mate is not robot and mate.role != "keeper"]
+        mate = skills.nearest(mates, x, y)
+        if not (view.ours and takes and mate):
+            return skills.keep_distance(view, robot, x, y)
         if view.started:
-            return skills.pass_to(view, robot, aim)
-        return skills.stand_ready(view, robot, aim.x, aim.y)
+            return skills.pass_to(view, robot, mate)
+        return skills.stand_ready(view, robot, mate.x, mate.y)
 
     def place(self, view: View, robot: Player) -> tuple[float, float]:
-        """Where a robot stands while the ball is in the middle."""
-        wing = view.field.width / 4
-        places = [(-5.0, -wing / 2), (-5.0, wing / 2), (-1.5, -wing), (-1.5, wing)]
-        return places[robot.number % len(places)]
+        """Where a robot without the ball stands: its place, moved along with the ball."""
+        x, y = PLACES[robot.number % len(PLACES)]
+        return (x + view.ball.x / 2, y) if view.ball else (x, y)

@@ -1,17 +1,21 @@
 """Where the opponents leave a gap: in the goal, on the way of a pass, round a player."""
 
-from math import atan2, hypot
+from collections.abc import Iterable
+from math import atan2, hypot, inf
 
 from soccersim.strategy.api import Player, View
-from soccersim.strategy.motion import velocity
-from soccersim.strategy.rolling import kick_speed, kick_time
+from soccersim.strategy.motion import towards, velocity, wrap
+from soccersim.strategy.rolling import kick_speed, kick_time, meeting
 
-POST = 0.15  # m from a post that nobody aims at
+POST = 0.25  # m from a post that nobody aims at: nobody shoots so exactly
 SIGHT = 0.05  # s that opponents' positions are carried on, at a shot
 REACH = 1.0  # m/s, at which an opponent closes a pass's way, after it has seen it
 REACTION = 0.2  # s
 RECEIVE = 2.0  # m/s, of a ball that a robot can hold
 SHORTEST, LONGEST = 1.2, 9.0  # m, of a pass
+FORWARD = 0.2  # m of clear way that a metre forward is worth
+TURN = 0.3  # m of clear way that a radian less to turn is worth: it also keeps one decided
+SIGHTED = 4.0  # m of clear way that a radian of open goal is worth
 
 
 def free_goal(view: View, x: float, y: float) -> tuple[float, float]:
@@ -88,9 +92,10 @@ def lead(view: View, player: Player, mate: Player) -> tuple[float, float]:
 
 
 def best_pass(view: View, player: Player) -> tuple[Player | None, float]:
-    """The mate that a pass helps most, and how clear its way is, m; None when nobody is clear.
+    """The mate that a pass helps most, and how clear its way is, m; None when it helps nobody.
 
-    Clear ways count up to a metre; so does ground gained, and an open goal before the mate.
+    A clear way counts, up to a metre; so do ground that is gained, an open goal before him, and
+    how far the robot has turned to him already.
     """
     best, found, open_by = 0.0, None, 0.0
     for mate in view.robots:
@@ -104,15 +109,31 @@ def best_pass(view: View, player: Player) -> tuple[Player | None, float]:
         free = clearance(view, player.x, player.y, x, y, speed)
         if free <= 0.0:
             continue
-        gain = (x - player.x) / view.field.length
         _, angle = free_goal(view, x, y) if x > 0 else (0.0, 0.0)
-        value = min(free, 1.0) + 3.0 * gain + 4.0 * angle
+        turn = abs(wrap(towards(player, x, y) - player.heading))
+        value = min(free, 1.0) + FORWARD * (x - player.x) + SIGHTED * angle - TURN * turn
         if value > best:
             best, found, open_by = value, mate, free
     return found, open_by
 
 
-def nearest(players: tuple[Player, ...], x: float, y: float) -> Player | None:
+def nearest(players: Iterable[Player], x: float, y: float) -> Player | None:
     """The robot in play that is nearest to a point; None when none is in play."""
     playing = [player for player in players if player.in_play]
     return min(playing, key=lambda p: hypot(p.x - x, p.y - y), default=None)
+
+
+def quickest(view: View, players: Iterable[Player]) -> Player | None:
+    """The robot in play that can have the ball first, where it rolls too; None when none can."""
+    ball = view.ball
+    if ball is None:
+        return None
+    first, found = inf, None
+    for player in players:
+        if player.has_ball and player.in_play:
+            return player
+        if player.in_play:
+            seconds = meeting(view.field, ball, player)[2]
+            if seconds < first:
+                first, found = seconds, player
+    return found

@@ -3,9 +3,11 @@
 from math import atan2, cos, hypot, pi, sin
 
 from soccersim.strategy.api import Command, Phase, Player, View
+from soccersim.strategy.motion import BRAKING, GAIN, pace
 from soccersim.strategy.moves import go_to
 
 ROOM = 0.3  # m more than the rules ask: nobody knows exactly where he is
+SLOW = 0.3  # m/s
 READY = 0.3  # m of air between the ball and the robot that waits to take it
 AROUND = tuple(side * step * pi / 8 for step in range(9) for side in (1, -1))  # rad
 
@@ -49,6 +51,7 @@ def stand_ready(view: View, player: Player, x: float, y: float) -> Command:
     far = hypot(dx, dy) or 1.0
     air = player.body.radius + view.field.ball_radius
     back = (air + READY) / far
+    gap = max(hypot(player.x - ball.x, player.y - ball.y) - air - READY / 2, 0.0)
     return go_to(
         view,
         player,
@@ -56,6 +59,8 @@ def stand_ready(view: View, player: Player, x: float, y: float) -> Command:
         ball.y - back * dy,
         atan2(dy, dx),
         keep_off=((ball.x, ball.y, air + READY / 2),),
+        # wherever it is sent next, it can stop before the ball
+        speed=max(pace(gap, BRAKING * player.body.acceleration, GAIN), SLOW),
     )
 
 

@@ -25,6 +25,7 @@ from soccersim.strategy.openings import (
     free_goal,
     lead,
     nearest,
+    quickest,
 )
 from soccersim.strategy.restarts import keep_distance, may_play, stand_ready
 from soccersim.strategy.rolling import ball_at, kick_speed, meeting
@@ -49,6 +50,7 @@ __all__ = [
     "meeting",
     "nearest",
     "pass_to",
+    "quickest",
     "shoot",
     "stand_ready",
     "stop_shot",
@@ -63,9 +65,10 @@ Point = tuple[float, float]
 CARRY_SPEED = 2.2  # m/s with the ball (CAMBADA's dribble_max_linear_vel)
 CARRY_TURN = 3.5  # rad/s with the ball; turned faster, it leaves the mouth
 AT_MOUTH = 0.6  # m of air to the ball, from which the dribbler runs
-TRIGGER = 0.05  # s from a view to the kick that it leads to; the heading must be right then
+TRIGGER = 0.025  # s from a view to the kick that it leads to; the heading must be right then
 SURE, FINE = 0.15, 0.02  # rad, the widest and the finest error of heading with which a robot kicks
 HIT = 0.3  # m, by which a pass may miss its mate
+JITTER = 0.03  # s, by which a kick may come sooner or later than thought
 SHOT = 0.8  # m/s; a ball that comes faster towards the goal is stopped on its way
 
 
@@ -105,10 +108,13 @@ def kick_at(view: View, player: Player, x: float, y: float, speed: float, sure: 
     far = hypot(dx, dy) or 1.0
     vx, vy = velocity(player)
     along, across = (dx * vx + dy * vy) / far, (dx * vy - dy * vx) / far
+    across += player.omega * (player.body.radius + view.field.ball_radius)
     speed = min(max(speed - along, 0.5), player.body.kick_speed)
-    heading = atan2(dy, dx) - asin(min(max(across / speed, -0.5), 0.5))
-    off = wrap(heading - player.heading - player.omega * TRIGGER)
-    ready = abs(off) < min(max(sure, FINE), SURE)
+    heading = atan2(dy, dx)
+    beside = asin(min(max(across / speed, -0.5), 0.5))
+    off = wrap(heading - beside - player.heading - player.omega * TRIGGER)
+    sure = min(max(sure, FINE), SURE)
+    ready = abs(off) + JITTER * abs(player.omega) < sure
     omega = turn_to(player, heading, CARRY_TURN)
     return Command(omega=omega, kick=speed if ready else 0.0, dribble=True)
 

@@ -3,9 +3,12 @@
 from math import atan2, hypot
 
 from soccersim.strategy import paths
-from soccersim.strategy.api import Ball, Player, View
+from soccersim.strategy.api import Ball, Pitch, Player, View
 from soccersim.strategy.motion import GAIN, drive_to
 from soccersim.strategy.rolling import meeting
+
+EDGE = 0.5  # m from a line, within which a ball is taken so that it does not roll over it
+INWARDS = 0.3  # of the direction in which it is taken there
 
 Twist = tuple[float, float, float]  # m/s, m/s, rad/s; body frame
 Point = tuple[float, float]
@@ -45,10 +48,7 @@ def fetch(view: View, player: Player, ball: Ball, aim: Point | None, avoid: bool
         to_x, to_y = aim[0] - ball.x, aim[1] - ball.y
     else:
         to_x, to_y = ahead_x, ahead_y
-    far = hypot(to_x, to_y)
-    if far < 1e-6:
-        to_x, to_y, far = 1.0, 0.0, 1.0
-    to_x, to_y = to_x / far, to_y / far
+    to_x, to_y = off_the_line(view.field, ball, to_x, to_y)
     heading = atan2(to_y, to_x)
     back = ahead_x * to_x + ahead_y * to_y  # how far the robot is behind the ball
     aside = abs(ahead_x * to_y - ahead_y * to_x)
@@ -60,6 +60,21 @@ def fetch(view: View, player: Player, ball: Ball, aim: Point | None, avoid: bool
     behind = reach - DEEPER + min(SLOPE * max(aside - IN_LINE, 0.0), STAND_OFF + DEEPER)
     target = ball.x - behind * to_x, ball.y - behind * to_y
     return travel(view, player, target, heading, avoid)
+
+
+def off_the_line(field: Pitch, ball: Ball, x: float, y: float) -> Point:
+    """The direction (x, y) as a unit vector, turned so that a push does not roll the ball out."""
+    far = hypot(x, y)
+    x, y = (x / far, y / far) if far > 0 else (1.0, 0.0)
+    if not field.rules.lines:
+        return x, y
+    if abs(ball.y) > field.width / 2.0 - EDGE and y * ball.y > 0:
+        y = -INWARDS if ball.y > 0 else INWARDS
+    behind = abs(ball.x) > field.length / 2.0 - EDGE and x * ball.x > 0
+    if behind and not (ball.x > 0 and abs(ball.y) < field.goal_width / 2.0):
+        x = -INWARDS if ball.x > 0 else INWARDS
+    far = hypot(x, y)
+    return x / far, y / far
 
 
 def stop_in_its_way(view: View, player: Player, ball: Ball, meet: Point, avoid: bool) -> Twist:
