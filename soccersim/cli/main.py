@@ -18,6 +18,7 @@ VERBS = {  # verb: what it does; its command stands in cli/verb.py
     "tune": "Ziegler-Nichols gains from a simulated experiment.",
     "replay": "Look at a recording again, or check it bit by bit.",
     "bench": "Measure this machine's speed, beside the floor.",
+    "new": "Write a strategy to start from, with its test.",
     "schema": "Print the JSON Schema of scenario files, for editors.",
 }
 BAD_INPUT, MACHINE, INVALID, INTERRUPTED = 2, 3, 4, 130

@@ -40,7 +40,7 @@ class Newcomer(Strategy):
         mate, _ = skills.best_pass(view, robot)
         if mate:
             return skills.pass_to(view, robot, mate)
-        return skills.kick_at(view, robot, goal, robot.y, speed=5.0, sure=0.1)
+        return skills.kick_at(view, robot, goal, robot.y, speed=4.0, sure=0.1)
 
     def restart(self, view: View, robot: Player, takes: bool) -> Command:
         """Before the ball is in play: take the kick if it is ours, or keep away from it."""
