@@ -18,17 +18,18 @@ TEST = '''\
 from pathlib import Path
 
 import numpy as np
-from {module} import {Class}
-
 from soccersim import play_match
 from soccersim.strategy import Ball, Player, View
+
+from {module} import {Class}
 
 FILE = Path(__file__).parent / "{module}.py"
 
 
 def test_a_robot_with_the_ball_before_an_open_goal_kicks():
+    keeper = Player(number=1, x=-10.5, y=0.0, role="keeper")
     striker = Player(number=2, x=8.0, y=0.0, has_ball=True)
-    view = View(robots=(Player(1, -10.5, 0.0, role="keeper"), striker), ball=Ball(8.35, 0.0))
+    view = View(robots=(keeper, striker), ball=Ball(8.35, 0.0))
     _, command = {Class}(np.random.default_rng(1)).decide(view)
     assert command.kick > 0
 

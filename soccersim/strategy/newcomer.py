@@ -4,7 +4,8 @@ from typing import Any
 
 from soccersim.strategy import Command, Phase, Player, Strategy, View, skills
 
-PLACES = ((-6.0, -1.5), (-4.0, 2.0), (2.5, -3.5), (4.0, 2.5))  # m, while the ball is in the middle
+# m, where field players stand while the ball is in the middle
+PLACES = ((-6.0, -1.5), (-4.0, 2.0), (2.5, -3.5), (4.0, 2.5))
 
 
 class Newcomer(Strategy):
@@ -45,8 +46,8 @@ class Newcomer(Strategy):
     def restart(self, view: View, robot: Player, takes: bool) -> Command:
         """Before the ball is in play: take the kick if it is ours, or keep away from it."""
         x, y = self.place(view, robot)
-        mates = [mate for mate in view.robots if mate is not robot and mate.role != "keeper"]
-        mate = skills.nearest(mates, x, y)
+        mates = [each for each in view.robots if each.role != "keeper"]
+        mate = skills.nearest((each for each in mates if each is not robot), x, y)
         if not (view.ours and takes and mate):
             return skills.keep_distance(view, robot, x, y)
         if view.started:
