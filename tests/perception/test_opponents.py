@@ -58,6 +58,14 @@ def test_two_who_stand_shell_to_shell_stay_two():
     assert y == pytest.approx([-0.26, 0.26], abs=0.25)
 
 
+def test_one_who_comes_into_play_beside_another_is_a_second_one():
+    game = Watched((0, 0, 0), away=((3, 0.26, 0), (3, -0.26, 0)), senses=realistic())
+    game.in_play[2] = 0
+    assert len(game.go(40).sheet().opponents) == 1
+    game.in_play[2] = 1
+    assert len(game.go(6).sheet().opponents) == 2
+
+
 def test_two_who_cross_are_still_two_afterwards():
     game = Watched((0, 0, 0), away=((3, 1.5, 0), (3.6, -1.5, 0)), senses=realistic())
     game.truth.body[1, 4], game.truth.body[2, 4] = -1.5, 1.5
