@@ -31,7 +31,7 @@ class Perception:
         self._known = build_known(scenario)
         self._dt = scenario.dt
         self._tick = -1  # of the last step
-        self._rulings: tuple[Sequence[int] | Array, Sequence[float] | Array]
+        self._rulings: tuple[Sequence[int] | Whole, Sequence[float] | Array]
         self.beat: int = self._eyes.camera.every
         """Ticks from frame to frame: `step` is called at least that often."""
 
