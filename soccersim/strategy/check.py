@@ -81,6 +81,8 @@ def what(value: object) -> str:
         return repr(value)
     if isinstance(value, str):
         return f'the text "{one_line(value)}"'
+    if isinstance(value, type):
+        return f"the class {one_line(value.__name__)}"
     kind = type(value).__name__
     shape = getattr(value, "shape", None)
     if isinstance(shape, tuple):
