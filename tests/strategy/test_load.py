@@ -128,13 +128,13 @@ def test_a_copy_of_soccersim_beside_a_team_does_not_count(file):
 
 def test_own_modules_come_before_the_librarys_and_folders_of_data_do_not(file):
     file("NAME = 'own'\n", "statistics.py")
-    file("NAME = 'own'\n", "math.py")
+    file("NAME = 'own'\n", "sys.py")
     file("x: 1\n", "yaml/strategy.yaml")
     path = file(
-        "import math, statistics, yaml\n\n\nclass Team:\n    def decide(self, view):\n"
-        "        return statistics.NAME, yaml.safe_load('3'), math.pi\n"
+        "import sys, statistics, yaml\n\n\nclass Team:\n    def decide(self, view):\n"
+        "        return statistics.NAME, yaml.safe_load('3'), sys.maxsize\n"
     )
-    assert decide(path) == ("own", 3, pytest.approx(3.14159, abs=1e-5))
+    assert decide(path) == ("own", 3, sys.maxsize)
     import statistics
 
     assert statistics.mean([1, 3]) == 2
