@@ -67,7 +67,7 @@ CARRY_TURN = 3.5  # rad/s with the ball; turned faster, it leaves the mouth
 AT_MOUTH = 0.6  # m of air to the ball, from which the dribbler runs
 TRIGGER = 0.025  # s from a view to the kick that it leads to; the heading must be right then
 SURE, FINE = 0.15, 0.02  # rad, the widest and the finest error of heading with which a robot kicks
-HIT = 0.3  # m, by which a pass may miss its mate
+HIT = 0.2  # m, by which a pass may miss its mate
 JITTER = 0.03  # s, by which a kick may come sooner or later than thought
 SHOT = 0.8  # m/s; a ball that comes faster towards the goal is stopped on its way
 
@@ -128,9 +128,9 @@ def shoot(view: View, player: Player, speed: float | None = None) -> Command:
     if ball is None:
         return Command()
     x, y = (player.x, player.y) if player.has_ball else (ball.x, ball.y)
-    aim, sure = free_goal(view, x, y)
+    aim, sure = free_goal(view, x, y, player.heading)
     hard = player.body.kick_speed if speed is None else speed
-    return kick_at(view, player, view.field.length / 2.0, aim, hard, 0.4 * sure)
+    return kick_at(view, player, view.field.length / 2.0, aim, hard, 0.8 * sure)
 
 
 def pass_to(view: View, player: Player, mate: Player, arrive: float = RECEIVE) -> Command:
