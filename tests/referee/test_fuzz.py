@@ -3,7 +3,7 @@
 from math import hypot, isfinite
 
 import pytest
-from rig import Rig, scenario
+from whistle import Rig, scenario
 from walk import Walk
 
 from soccersim.referee.phases import Phase

@@ -5,7 +5,7 @@ from math import cos, sin
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from rig import Rig, scenario
+from whistle import Rig, scenario
 from walk import Walk
 
 CHANGES = {"duration": 16.0}
