@@ -77,6 +77,8 @@ def play(
     InputError where a strategy is not there, MachineError where the machine fails, RunError where
     soccersim does. Ctrl-C leaves no process behind.
     """
+    if request.isolate not in ("match", APART):
+        raise InputError(Problem("--isolate team needs a POSIX system: leave it at match here"))
     first = attempt(request, progress, printed, child)
     if first.outcome and not first.doubt:
         return first.outcome
