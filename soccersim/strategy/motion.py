@@ -102,12 +102,17 @@ def time_to(player: Player, x: float, y: float, *, stop: bool = True) -> float:
     dx, dy = x - player.x, y - player.y
     far = hypot(dx, dy)
     vx, vy = velocity(player)
-    a, top = player.body.acceleration, player.body.speed
-    u = (vx * dx + vy * dy) / far if far > 0 else 0.0
+    towards_it = (vx * dx + vy * dy) / far if far > 0 else 0.0
+    return time_from(far, towards_it, player.body.acceleration, player.body.speed, stop)
+
+
+def time_from(far: float, u: float, a: float, top: float, stop: bool = True) -> float:
+    """Seconds for a way of far metres, begun at the speed u towards its end; a: m/s2."""
     spent = 0.0
     if u < 0:  # it must turn back first
         spent, far, u = -u / a, far + u * u / (2.0 * a), 0.0
-    u = min(u, top)
+    elif u > top:
+        u = top
     if not stop:
         gained = min(sqrt(u * u + 2.0 * a * far), top)
         return spent + (gained - u) / a + (far - (gained * gained - u * u) / (2.0 * a)) / top
@@ -115,5 +120,5 @@ def time_to(player: Player, x: float, y: float, *, stop: bool = True) -> float:
         over = u * u / (2.0 * a) - far
         return spent + u / a + 2.0 * sqrt(over / a)
     peak = min(sqrt(a * far + u * u / 2.0), top)
-    cruise = max(far - (2.0 * peak * peak - u * u) / (2.0 * a), 0.0)
-    return spent + (2.0 * peak - u) / a + cruise / top
+    cruise = far - (2.0 * peak * peak - u * u) / (2.0 * a)
+    return spent + (2.0 * peak - u) / a + (cruise / top if cruise > 0 else 0.0)

@@ -137,11 +137,16 @@ def quickest(view: View, players: Iterable[Player]) -> Player | None:
     ball = view.ball
     if ball is None:
         return None
-    first, found = inf, None
-    for player in players:
-        if player.has_ball and player.in_play:
+    playing = [player for player in players if player.in_play]
+    for player in playing:
+        if player.has_ball:
             return player
-        if player.in_play:
+    far = {player.number: hypot(player.x - ball.x, player.y - ball.y) for player in playing}
+    rolls = hypot(ball.vx, ball.vy)
+    first, found = inf, None
+    for player in sorted(playing, key=lambda player: far[player.number]):
+        reach = player.body.radius + view.field.ball_radius
+        if far[player.number] - reach < first * (player.body.speed + rolls):  # else never sooner
             seconds = meeting(view.field, ball, player)[2]
             if seconds < first:
                 first, found = seconds, player

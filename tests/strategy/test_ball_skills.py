@@ -191,14 +191,14 @@ def test_a_ball_that_stops_short_never_comes():
 def test_a_meeting_is_in_time_and_no_earlier_one_was(x, y, way, speed):
     ball = Ball(-1, 1, speed * cos(way), speed * sin(way))
     player = Player(1, x, y)
-    reach = player.body.radius + field.ball_radius
+    needed = reaching(player, player.body.radius + field.ball_radius)
     mx, my, seconds = skills.meeting(field, ball, player)
     assert field_has(field, mx, my)
     if field_has(field, *skills.ball_at(field, ball, seconds)):
-        assert reaching(player, mx, my, reach) <= seconds + 0.3
+        assert needed(mx, my) <= seconds + 0.3
     for step in range(int((seconds - 0.15) / 0.05)):
         there = skills.ball_at(field, ball, 0.05 * step)
-        assert reaching(player, *there, reach) > 0.05 * step - 0.15
+        assert needed(*there) > 0.05 * step - 0.15
 
 
 def test_a_ball_that_runs_out_is_met_on_the_line_at_the_latest():
