@@ -7,7 +7,7 @@ import yaml
 
 from soccersim.problems import LONGEST, one_line
 
-MAX_CHOICES = 16  # more are not listed
+MAX_CHOICES = 12  # more are not listed
 MAX_COMPARED = 200  # nor are more compared with a misspelt key
 
 NO_ALIAS = "anchors (&) and aliases (*) are not allowed: write the value out, or quote the text"
