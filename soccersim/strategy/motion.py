@@ -51,6 +51,17 @@ def turn_to(player: Player, heading: float, fastest: float | None = None) -> flo
     return rate if left > 0 else -rate
 
 
+def since_report(player: Player, asked: float) -> tuple[float, float]:
+    """Where a robot looks and how fast it turns now, rad and rad/s.
+
+    Its report is old, and carried on as if it had gone on turning as it did; but it follows what
+    it is asked for, a rate of turning that hardly changes from one decision to the next.
+    """
+    most = player.body.turn_acceleration * player.age
+    more = min(max(asked - player.omega, -most), most)
+    return player.heading + more * player.age / 2.0, player.omega + more
+
+
 def drive_to(
     player: Player,
     x: float,

@@ -11,6 +11,7 @@ from soccersim.strategy.api import Command, Player, View
 from soccersim.strategy.motion import (
     distance,
     drive_to,
+    since_report,
     time_to,
     towards,
     turn_to,
@@ -106,17 +107,17 @@ def kick_at(view: View, player: Player, x: float, y: float, speed: float, sure: 
         return intercept(view, player, (x, y))
     dx, dy = x - player.x, y - player.y
     far = hypot(dx, dy) or 1.0
+    heading = atan2(dy, dx)
+    asked = turn_to(player, heading, CARRY_TURN)
+    looks, omega = since_report(player, asked)
     vx, vy = velocity(player)
     along, across = (dx * vx + dy * vy) / far, (dx * vy - dy * vx) / far
-    across += player.omega * (player.body.radius + view.field.ball_radius)
+    across += omega * (player.body.radius + view.field.ball_radius)
     speed = min(max(speed - along, 0.5), player.body.kick_speed)
-    heading = atan2(dy, dx)
     beside = asin(min(max(across / speed, -0.5), 0.5))
-    off = wrap(heading - beside - player.heading - player.omega * TRIGGER)
-    sure = min(max(sure, FINE), SURE)
-    ready = abs(off) + JITTER * abs(player.omega) < sure
-    omega = turn_to(player, heading, CARRY_TURN)
-    return Command(omega=omega, kick=speed if ready else 0.0, dribble=True)
+    off = wrap(heading - beside - looks - omega * TRIGGER)
+    ready = abs(off) + JITTER * abs(omega) < min(max(sure, FINE), SURE)
+    return Command(omega=asked, kick=speed if ready else 0.0, dribble=True)
 
 
 def shoot(view: View, player: Player, speed: float | None = None) -> Command:
@@ -130,7 +131,7 @@ def shoot(view: View, player: Player, speed: float | None = None) -> Command:
     x, y = (player.x, player.y) if player.has_ball else (ball.x, ball.y)
     aim, sure = free_goal(view, x, y, player.heading)
     hard = player.body.kick_speed if speed is None else speed
-    return kick_at(view, player, view.field.length / 2.0, aim, hard, 0.8 * sure)
+    return kick_at(view, player, view.field.length / 2.0, aim, hard, 0.6 * sure)
 
 
 def pass_to(view: View, player: Player, mate: Player, arrive: float = RECEIVE) -> Command:
