@@ -1,10 +1,10 @@
 """Where a ball will be, how hard to kick it, and where a robot meets it."""
 
 from collections.abc import Callable
-from math import cos, hypot, sin, sqrt
+from math import hypot, sqrt
 
 from soccersim.strategy.api import Ball, Pitch, Player
-from soccersim.strategy.motion import LAG, time_from
+from soccersim.strategy.motion import LAG, time_from, velocity
 
 SHELL = 2.0 / 3.0  # moment of inertia of a hollow ball over m r2
 SOON = 0.04  # s, one decision: so exact is the moment of a meeting
@@ -58,14 +58,15 @@ def meeting(field: Pitch, ball: Ball, player: Player) -> tuple[float, float, flo
 
     Where the ball runs out of the field before, the place where it does.
     """
-    needed = reaching(player, player.body.radius + field.ball_radius)
+    reach = player.body.radius + field.ball_radius
+    needed = reaching(player, reach)
     speed = hypot(ball.vx, ball.vy)
     fastest = rate = 1.0 + speed / player.body.speed  # at which the two can close up
     early, t, x, y = 0.0, 0.0, ball.x, ball.y
-    met: tuple[float, float, float] | None = None
     late = needed(x, y)
     if speed < LYING:
         return x, y, late
+    met = rolls_into(field, ball, *resting(player), reach)  # at the latest, if it does
     most_x, most_y = field.length / 2.0, field.width / 2.0
     for _ in range(STEPS):
         before, was = t, late
@@ -96,10 +97,8 @@ def reaching(player: Player, reach: float) -> Callable[[float, float], float]:
     """
     px, py = player.x, player.y
     a, top = player.body.acceleration, player.body.speed
-    c, s = cos(player.heading), sin(player.heading)
-    vx, vy = c * player.vx - s * player.vy, s * player.vx + c * player.vy
-    stops = hypot(vx, vy) / (2.0 * a) + LAG
-    rest_x, rest_y = px + stops * vx, py + stops * vy
+    vx, vy = velocity(player)
+    rest_x, rest_y = resting(player)
 
     def needed(x: float, y: float) -> float:
         if hypot(x - rest_x, y - rest_y) <= reach:
@@ -116,6 +115,31 @@ def reaching(player: Player, reach: float) -> Callable[[float, float], float]:
 def field_has(field: Pitch, x: float, y: float) -> bool:
     """Whether a place lies within the lines."""
     return abs(x) <= field.length / 2.0 and abs(y) <= field.width / 2.0
+
+
+def resting(player: Player) -> tuple[float, float]:
+    """Where a robot comes to rest that brakes now."""
+    vx, vy = velocity(player)
+    stops = hypot(vx, vy) / (2.0 * player.body.acceleration) + LAG
+    return player.x + stops * vx, player.y + stops * vy
+
+
+def rolls_into(
+    field: Pitch, ball: Ball, x: float, y: float, reach: float
+) -> tuple[float, float, float] | None:
+    """Where and when a rolling ball comes so near to a place: x, y, s; None: it does not."""
+    speed = hypot(ball.vx, ball.vy)
+    ux, uy = ball.vx / speed, ball.vy / speed
+    dx, dy = x - ball.x, y - ball.y
+    along, aside = dx * ux + dy * uy, dx * uy - dy * ux
+    if along <= 0.0 or abs(aside) >= reach:
+        return None
+    far = max(along - sqrt(reach * reach - aside * aside), 0.0)
+    slowing = field.ball_rolling
+    left = speed * speed - 2.0 * slowing * far
+    if left < 0.0:
+        return None
+    return ball.x + far * ux, ball.y + far * uy, 2.0 * far / (speed + sqrt(left))
 
 
 def last_inside(field: Pitch, ball: Ball, x: float, y: float) -> tuple[float, float]:
