@@ -1,11 +1,12 @@
 """Roles given anew at every moment: one plays the ball, one guards, the others support or mark.
 
-The robot that can have the ball first plays it: it shoots where it sees a part of the goal, passes
-where a mate is better placed, and in between carries the ball, no farther than the rules allow.
-One of the others stays between the ball and the own goal. With the ball, the rest go where a pass
-can reach them; without it, each of them marks an opponent.
+The robot that can have the ball first plays it: in the opponents' half it shoots, if a goal would
+count; else it passes to the mate farthest ahead, or kicks the ball forward. One of the others stays
+between the ball and the own goal. With the ball, the rest go where a pass can reach them; without
+it, each of them marks an opponent.
 
-Its weakness: it sees this moment only. No move is planned, and nobody guesses the opponents'.
+Its weakness: it sees this moment only. It gives the ball away rather than carry it, and no move is
+planned.
 """
 
 from collections.abc import Sequence
@@ -17,12 +18,7 @@ from soccersim.strategy.manners import careful
 from soccersim.strategy.possession import Possession
 
 LOYAL = 0.3  # s by which another robot must be sooner at the ball to take over
-GAP = 0.03  # rad, half of what must be open of the goal for a shot
-PRESSED = 1.8  # m to an opponent before our robot with the ball, that make it pass
-CARRY = 0.6  # of the way that the rules allow with the ball
 CLEAR = 6.0  # m/s, of a ball kicked ahead to nobody
-COMMITTED = 0.6  # s that a robot sticks to what it is about to do
-ON = 3.0  # m/s, of a ball that the robot kicks ahead and runs after
 OUT = 0.9  # m before its line that the keeper stands
 MARK = 1.2  # m from an opponent to the one that marks it
 ROOM = 1.1  # m from an opponent to a robot that wants the ball
@@ -35,15 +31,12 @@ Spot = tuple[float, float, str]  # x, y, m; what the robot there is called
 
 
 class Roles(Strategy):
-    """Remembers who plays the ball, and what he is about to do with it."""
+    """Remembers who plays the ball, and whether a goal of his would count."""
 
     def __init__(self, rng: object) -> None:
         super().__init__(rng)
         self.ball = Possession()
         self.first: int | None = None  # number of the robot that plays the ball
-        self.plan = "carry"  # what it does with the ball
-        self.mate: int | None = None  # number of whom it passes to
-        self.planned, self.until = 0, 0.0  # number of who plans so, and till when, s
         self.target = 0.0, 0.0  # where a restart of ours goes, m
 
     def decide(self, view: View) -> Sequence[Command]:
@@ -91,42 +84,17 @@ class Roles(Strategy):
         return first
 
     def play(self, view: View, player: Player) -> Command:
-        """Get the ball; with it, do as planned."""
+        """Shoot from the opponents' half; else pass forward, or kick ahead."""
         if view.phase is not Phase.PLAY:
             return self.restart(view, player)
-        if not player.has_ball:
-            command = skills.intercept(view, player, None if busy(view) else goal(view))
-            return replace(careful(view, player, command, -0.02), label="get")
-        if view.time > self.until or player.number != self.planned:
-            self.think(view, player)
-        mate = next((p for p in view.robots if p.number == self.mate and p.in_play), None)
-        if self.plan == "shoot":
-            command = skills.shoot(view, player)
-        elif self.plan == "pass" and mate:
-            command = skills.pass_to(view, player, mate)
-        elif self.plan == "push on":
-            x, y = player.x + 3.0 * cos(player.heading), player.y + 3.0 * sin(player.heading)
-            command = skills.kick_at(view, player, x, y, ON, 0.5)
-        else:
-            command = skills.dribble(view, player, *goal(view))
-        return replace(command, label=self.plan)
-
-    def think(self, view: View, player: Player) -> None:
-        """Shoot, pass, carry the ball on, or kick it ahead and run after it."""
         rules = view.field.rules
-        there = player.x > 0.2 or rules.own_half_goals
-        carried = skills.distance(player, *self.ball.caught)
-        far = rules.dribble is not None and carried > CARRY * rules.dribble
-        self.planned, self.until = player.number, view.time + COMMITTED
-        if there and self.ball.may_score and skills.free_goal(view, player.x, player.y)[1] > GAP:
-            self.plan = "shoot"
-            return
-        mate, _ = skills.best_pass(view, player)
-        if mate and (far or pressed(view, player) or mate.x > player.x + 1.0):
-            self.plan, self.mate = "pass", mate.number
-        else:
-            self.plan = "push on" if far and abs(player.heading) < 1.5 else "carry"
-            self.until = view.time + 0.1
+        if player.x > 0.3 and (self.ball.may_score or rules.own_half_goals):
+            return replace(skills.shoot(view, player), label="shoot")
+        mates = [p for p in view.robots if p is not player and p.in_play and p.x > player.x + 1.0]
+        mate = max(mates, key=lambda m: m.x, default=None)
+        if mate:
+            return replace(skills.pass_to(view, player, mate), label="pass")
+        return replace(skills.kick_at(view, player, *goal(view), CLEAR, 0.2), label="clear")
 
     def restart(self, view: View, player: Player) -> Command:
         """Stand behind the ball, and pass after START."""
@@ -193,7 +161,8 @@ def marks(view: View) -> list[Spot]:
     threats.sort(key=lambda o: o.x)
     far = hypot(x + view.field.length / 2.0, y)
     guards = [(*homeward(view, x, y, far / 2.0), "guard")]
-    return guards + [(*homeward(view, o.x, o.y, MARK), "mark") for o in threats] + supports(view)[1:]
+    marked = [(*homeward(view, o.x, o.y, MARK), "mark") for o in threats]
+    return guards + marked + supports(view)[1:]
 
 
 def homeward(view: View, x: float, y: float, step: float) -> tuple[float, float]:
@@ -237,13 +206,3 @@ def in_area(view: View) -> bool:
     area = view.field.penalty_area
     deep, wide = (area.depth, area.width) if area else (1.5, 4.0)
     return view.ball.x < deep - view.field.length / 2.0 and abs(view.ball.y) < wide / 2.0
-
-
-def busy(view: View) -> bool:
-    """Whether an opponent is near the ball, so that there is no time to go round it."""
-    return any(hypot(o.x - view.ball.x, o.y - view.ball.y) < 2.0 for o in view.opponents)
-
-
-def pressed(view: View, player: Player) -> bool:
-    """Whether an opponent is near."""
-    return any(hypot(o.x - player.x, o.y - player.y) < PRESSED for o in view.opponents)
