@@ -113,7 +113,8 @@ def open_place(view: View) -> tuple[float, float]:
     far = view.field.rules.mates + 0.7
     places = [(x - 0.6 * far, y + side * 0.8 * far) for side in ((1, -1) if y < 0 else (-1, 1))]
     inside = [p for p in places if abs(p[1]) < view.field.width / 2.0 - 0.5]
-    return max(inside, key=lambda p: min(skills.clearance(view, x, y, *p, 3.0), 0.5))
+    clear = {p: min(skills.clearance(view, x, y, *p, 3.0), 0.5) for p in inside}
+    return max(clear, key=lambda p: clear[p], default=(x - far, 0.0))
 
 
 def keep(view: View, player: Player) -> Command:
