@@ -30,6 +30,7 @@ MAY_IMPORT = {  # part: what it may import besides itself and the name and versi
     "limbs": FOUNDATION | PARTS,
     "simulation": FOUNDATION | PARTS | {"record", "limbs"},
     "repeat": {"record", "report", "simulation", "spec", "workers"},
+    "regress": set(),
     "bench": ALL | {"render"},
     "reproduce": ALL | {"render"},
     "tune": ALL | {"render"},

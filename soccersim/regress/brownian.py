@@ -5,7 +5,7 @@ motion between two bounds, every end of the test (which bound and when, or where
 was up) has its rank: an early stop at the lower bound is the worst, an early stop at the upper one
 the best. The effect under which the end we saw is the median of all ends is the estimate, and
 those under which it lies at 2.5 % and 97.5 % are its interval. Source: D. Siegmund, Sequential
-Analysis (1985), 4.5, and the sources of `statistics`.
+Analysis (1985), chapter III, and the sources of `statistics`.
 
 The walk's distribution is summed over its mirror images in the two bounds: Cox & Miller, The
 Theory of Stochastic Processes (1965), 5.7.
@@ -19,7 +19,7 @@ from soccersim.regress.statistics import Estimate
 
 MIRRORED_OFTEN = 20.0  # widths: a walk that spread this far has stopped, all but e^-1974 of it
 TAIL = 10.0  # standard deviations beyond which erfc is replaced by its series
-HALVINGS = 60  # of a bracket: 2^-60 of its width is left
+HALVINGS = 45  # of a bracket: 3e-14 of its width is left
 
 
 class Walk(NamedTuple):

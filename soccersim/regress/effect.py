@@ -23,6 +23,7 @@ from soccersim.regress.statistics import (
     wald_bounds,
 )
 
+OVERSHOOT = 0.583  # -zeta(1/2) / sqrt(2 pi)
 LARGEST = 0.999  # effect of results: 5490 nElo, where it would go on to infinity
 
 
@@ -35,7 +36,9 @@ class Bounds(NamedTuple):
     upper: float
 
 
-def bounds_of(nelo: tuple[float, float], alpha: float, beta: float, results: bool) -> Bounds:
+def bounds_of(
+    nelo: tuple[float, float], alpha: float, beta: float, results: bool = False
+) -> Bounds:
     """The bounds of a test between two normalized Elo: of results, or of an outcome about zero."""
     t0, t1 = (float(effect_of_elo(hypothesis)) for hypothesis in nelo)
     if results:
@@ -49,23 +52,29 @@ def after_fixed(t: float, pairs: int) -> Estimate:
     return Estimate(t, max(t - reach, -1.0), min(t + reach, 1.0))
 
 
-def after_stop(t: float, pairs: int, bounds: Bounds, decided: int) -> Estimate:
-    """The median-unbiased effect after a sequential test. decided: 1 (upper bound), -1 or 0.
+def after_stop(t: float, pairs: int, llr: float, bounds: Bounds, every: int) -> Estimate:
+    """The median-unbiased effect after a sequential test that ended with this ratio.
 
     The log-likelihood ratio is taken as a Brownian motion with the drift (t - (t0 + t1) / 2)(t1 -
-    t0) and the variance (t1 - t0)^2 a pair. What it went beyond a bound is put down to its last
-    steps: the bound was reached so much earlier.
+    t0) and the variance (t1 - t0)^2 a pair. Looked at every few pairs, it goes beyond its bounds
+    before it is stopped: 0.583 of what it spreads between two looks, on average, by which they
+    are widened (Siegmund, chapter X). What it went beyond that is put down to its last steps:
+    the bound was reached so much earlier.
     """
     if not pairs:
         return after_fixed(t, pairs)
     step, middle = bounds.t1 - bounds.t0, 0.5 * (bounds.t0 + bounds.t1)
     gone = pairs * (t - middle) * step
-    level = (bounds.lower, gone, bounds.upper)[decided + 1]
-    level = min(max(level, bounds.lower), bounds.upper)
-    time = pairs * min(1.0, level / gone) if abs(gone) > abs(level) > 0.0 else float(pairs)
+    beyond = OVERSHOOT * step * sqrt(every)
+    lower, upper = bounds.lower - beyond, bounds.upper + beyond
+    level = min(max(gone, lower), upper)
+    if not bounds.lower < llr < bounds.upper:  # it says better than `gone` whether a bound was met
+        level = upper if llr > 0.0 else lower
+    early = level / gone if gone * level > 0.0 else 1.0
+    time = pairs * min(early, 1.0)
 
     def walk(effect: float) -> Walk:
-        return Walk(bounds.lower, bounds.upper, (effect - middle) * step, step * step)
+        return Walk(lower, upper, (effect - middle) * step, step * step)
 
     return median_unbiased(walk, time, level, -1.0, 1.0)
 

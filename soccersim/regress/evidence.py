@@ -24,14 +24,15 @@ def tally_of(run: Sequence[Sample], marks: Marks, statistic: Statistic) -> Tally
     return tally(x, valid, marks, results and not _is_comparison(run))
 
 
-def evidence(run: Sequence[Sample], rule: Rule, statistic: Statistic, clear: int) -> Standing:
-    """Where a run stands after these samples; clear: 1 or -1 if it has ended so, else 0."""
+def evidence(run: Sequence[Sample], rule: Rule, statistic: Statistic) -> Standing:
+    """Where a run stands after these samples."""
     marks = rule.marks(len(run))
     path = llr_of(tally_of(run, marks, statistic), rule.nelo)
     whole = tally_of(run, np.array([len(run)]), statistic)
     by_counts = whole.counts is not None
     played = [sample for sample in run if not sample.void]
-    size = rule.estimate(float(whole.effect[0]), len(played), by_counts, clear)
+    llr = float(llr_of(whole, rule.nelo)[0])
+    size = rule.estimate(float(whole.effect[0]), len(played), llr, by_counts)
     t = _effect_of_results(played)
     compared = _is_comparison(run)
     counts = _summed(sample.counts for sample in played)
@@ -45,7 +46,7 @@ def evidence(run: Sequence[Sample], rule: Rule, statistic: Statistic, clear: int
         diverged=sum(sample.diverged for sample in played),
         parted=min((s.parted for s in played if s.parted is not None), default=None),
         unequal=int(whole.unequal[0]),
-        llr=float(llr_of(whole, rule.nelo)[0]),
+        llr=llr,
         bounds=rule.bounds,
         path=tuple((int(mark), float(llr)) for mark, llr in zip(marks, path, strict=True)),
         effect=size,

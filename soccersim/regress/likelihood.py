@@ -68,11 +68,9 @@ def outcome_llr(
     are 0 the LLR is 0.
     """
     _within_reach(nelo)
-    return _quadratic(
-        np.asarray(pairs, dtype=np.float64),
-        effect(pairs, total, squares),
-        *effect_of_elo(nelo),
-    )
+    size = np.asarray(pairs, dtype=np.float64)
+    ratio = _quadratic(size, effect(pairs, total, squares), *effect_of_elo(nelo))
+    return np.where(np.asarray(squares, dtype=np.float64) > 0.0, ratio, 0.0)
 
 
 def effect(pairs: ArrayLike, total: ArrayLike, squares: ArrayLike) -> Array:

@@ -16,6 +16,7 @@ from soccersim.regress.standing import Standing, Statistic, Verdict
 from soccersim.regress.statistics import Estimate
 
 GOALS = Statistic.GOALS
+NONE = Estimate(0.0, 0.0, 0.0)  # of matches that are the same there is no doubt
 
 
 def decide(
@@ -34,10 +35,12 @@ def decide(
     run = in_order(samples, rule.most)
     end = _end_by_score(run, rule, statistic, same_code)
     used = run[: end.numbers]
-    found = evidence(used, rule, statistic, end.clear)
+    found = evidence(used, rule, statistic)
     broken = _not_repeatable(samples, same_code, contradictions)
     if broken or (end.verdict and found.faults > found.base_faults):
         return replace(found, verdict=Verdict.INVALID, reasons=broken or (_faults(found),))
+    if end.verdict is Verdict.IDENTICAL:
+        found = replace(found, effect=NONE, elo=NONE, results_elo=NONE)
     if end.verdict:
         reasons = (_why(end.verdict, found, rule),)
         return replace(found, verdict=end.verdict, reasons=reasons)

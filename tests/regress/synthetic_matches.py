@@ -1,14 +1,15 @@
 """A synthetic engine: pairs of matches with known odds, and the order in which workers end them.
 
-A match is a goal difference. In a world, two equal teams on a neutral field end a match d goals apart
-with chances proportional to weights[|d|]. Strength and sides tilt that: the candidate's difference
-has chances proportional to weights[|d|] exp((strength +- side) d), + where it plays HOME. In a share
-of the pairs, `copies`, both teams do the same all match long: the second leg is the first with the
-names exchanged, and the pair is exactly 0. The strength is set so that the effect of the pair, by
-goals or by results, is exactly the one asked for.
+A match is a goal difference. In a world, two equal teams on a neutral field end a match d goals
+apart with chances proportional to weights[|d|]. Strength and sides tilt that: the candidate's
+difference has chances proportional to weights[|d|] exp((strength +- side) d), + where it plays
+HOME. In a share of the pairs, `copies`, both teams do the same all match long: the second leg is
+the first with the names exchanged, and the pair is exactly 0. The strength is set so that the
+effect of the pair, by goals or by results, is exactly the one asked for.
 
-Matches take 1 unit of time when the candidate wins, 2 when drawn and 3 when it loses, give or take a
-tenth: forfeits and quick wins come in first. Workers take the legs in the order of their numbers.
+Matches take 1 unit of time when the candidate wins, 2 when drawn and 3 when it loses, give or take
+a tenth: forfeits and quick wins come in first. Workers take the legs in the order of their
+numbers.
 """
 
 from dataclasses import dataclass
@@ -17,7 +18,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from soccersim.regress.rules import Tally, tally
+from soccersim.regress.rules import Sprt, Tally, first_decided, llr_of, tally
 from soccersim.regress.samples import CLIP, Leg, Pair, between
 from soccersim.regress.statistics import effect_of_elo
 
@@ -107,6 +108,28 @@ def outcomes(legs, by):
 def sums(x, marks, by) -> Tally:
     """Tallies of outcomes (runs, pairs), none void."""
     return tally(x, np.ones(x.shape, dtype=bool), marks, by == "results")
+
+
+def llr(tallied, nelo):
+    """The ratios of a Tally; counts that came several times are worked out once."""
+    if tallied.counts is None:
+        return llr_of(tallied, nelo)
+    counts, which = np.unique(tallied.counts.reshape(-1, 5), axis=0, return_inverse=True)
+    unequal = counts.sum(axis=1) - counts[:, 2]
+    several = llr_of(tallied._replace(counts=counts, unequal=unequal), nelo)
+    return several[which].reshape(tallied.pairs.shape)
+
+
+def ends(x, by, rule=None):
+    """(runs,) each: how many pairs runs of outcomes (runs, pairs) took, and 1, -1 or 0."""
+    rule = rule or Sprt()
+    marks = rule.marks(x.shape[1])
+    tallied = sums(x, marks, by)
+    if isinstance(rule, Sprt):
+        at, clear = first_decided(rule.judge_llr(llr(tallied, rule.nelo), tallied))
+    else:
+        at, clear = first_decided(rule.judge(tallied))
+    return np.append(marks, x.shape[1])[at], clear
 
 
 def ended(played, workers):
