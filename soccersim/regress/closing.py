@@ -4,7 +4,7 @@ Wald's bounds hold the chances of error, alpha and beta, for a test that goes on
 one. Capped at 400 pairs, it leaves some runs open that would have ended right: between -25 and 25
 nElo the power falls from .95 to .932. The cap takes from the errors too, and what it takes may be
 given back: at the last mark the bounds are drawn in until the chances of error are alpha and beta
-again, which gives 1.42 in place of 2.94 and a power of .939; looking every 8 pairs overshoots,
+again, which gives 1.41 in place of 2.94 and a power of .939; looking every 8 pairs overshoots,
 which adds a little to both. Worked out for Brownian motion, as Wald's bounds are. Compare A. Wald,
 Sequential Analysis (1947), 3.8, who decides every open run by the sign of its ratio.
 """

@@ -15,13 +15,7 @@ from math import sqrt
 from typing import NamedTuple
 
 from soccersim.regress.brownian import Walk, median_unbiased
-from soccersim.regress.statistics import (
-    BAND,
-    Estimate,
-    effect_of_elo,
-    elo_of_effect,
-    wald_bounds,
-)
+from soccersim.regress.statistics import BAND, Estimate, effect_of_elo, elo_of_effect, wald_bounds
 
 OVERSHOOT = 0.583  # -zeta(1/2) / sqrt(2 pi)
 LARGEST = 0.999  # effect of results: 5490 nElo, where it would go on to infinity

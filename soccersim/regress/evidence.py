@@ -48,6 +48,7 @@ def evidence(run: Sequence[Sample], rule: Rule, statistic: Statistic) -> Standin
         unequal=int(whole.unequal[0]),
         llr=llr,
         bounds=rule.bounds,
+        closing_bounds=rule.closing_bounds,
         path=tuple((int(mark), float(llr)) for mark, llr in zip(marks, path, strict=True)),
         effect=size,
         elo=as_elo(size, by_counts),

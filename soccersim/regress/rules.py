@@ -17,11 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from soccersim.regress.closing import closing_bounds
-from soccersim.regress.effect import (
-    after_fixed,
-    after_stop,
-    bounds_of,
-)
+from soccersim.regress.effect import after_fixed, after_stop, bounds_of
 from soccersim.regress.likelihood import WIDEST, effect, normalized_llr, outcome_llr
 from soccersim.regress.statistics import BAND, Array, Estimate, wald_bounds
 
@@ -39,9 +35,7 @@ class Tally(NamedTuple):
     total: Array  # sum of outcomes x
     squares: Array  # sum of x^2
     unequal: Array  # how many x are not 0
-    counts: Array | None = (
-        None  # (..., K, 5): where x is a pair score less 1/2, how often each came
-    )
+    counts: Array | None = None  # (..., K, 5) where x is a pair score less 1/2: each one's number
 
     @property
     def effect(self) -> Array:
@@ -156,6 +150,11 @@ class Fixed:
     def bounds(self) -> tuple[float, float]:
         """Of that LLR."""
         return wald_bounds(0.05, 0.05)
+
+    @property
+    def closing_bounds(self) -> tuple[float, float]:
+        """The same."""
+        return self.bounds
 
     def marks(self, numbers: int) -> Marks:
         """The end alone."""

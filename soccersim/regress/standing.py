@@ -54,6 +54,7 @@ class Standing:
     unequal: int  # pairs with an outcome that is not exactly 0
     llr: float
     bounds: tuple[float, float]
+    closing_bounds: tuple[float, float]  # of the LLR after the last pair, nearer to 0
     path: tuple[tuple[int, float], ...]  # the LLR at each mark: pair numbers, LLR
     effect: Estimate  # t, -1 to 1
     elo: Estimate  # normalized, of the statistic
@@ -92,6 +93,7 @@ class Standing:
             "base_pentanomial": None if self.base_counts is None else list(self.base_counts),
             "faults": {"candidate": self.faults, "base": self.base_faults},
             "statistic": self.statistic.value,
+            "closing_bounds": list(self.closing_bounds),
             "results_elo": self.results_elo._asdict(),
             "los": self.superiority,
             "void": self.void,

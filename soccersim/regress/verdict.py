@@ -83,7 +83,9 @@ def _not_repeatable(
     told = [f"{match} was played twice and came out differently" for match in contradictions]
     if same_code:
         parted = sorted(number for number, sample in samples.items() if sample.diverged)
-        told += [f"pair {n}: the same code on both sides, and its legs differ" for n in parted]
+        told += [
+            f"the same code on both sides, and the legs of pair {n} differ" for n in parted[:1]
+        ]
     return tuple(told)
 
 
@@ -99,9 +101,12 @@ def _why(verdict: Verdict, found: Standing, rule: Rule) -> str:
         return f"only {found.unequal} of {found.pairs} pairs are not exactly 0; {AT_LEAST} needed"
     if isinstance(rule, Fixed):
         return f"the 95 % interval of the effect is {_span(found.elo)} nElo"
-    lower, upper = found.bounds
-    place = "is between" if verdict is Verdict.INCONCLUSIVE else "has left"
-    return f"after {found.pairs} pairs the LLR {found.llr:.2f} {place} {lower:.2f} and {upper:.2f}"
+    last = found.numbers == rule.most
+    lower, upper = found.closing_bounds if last else found.bounds
+    named = "the closing bounds " if last and rule.closing else ""
+    place = "between" if verdict is Verdict.INCONCLUSIVE else "not between"
+    between = f"{place} {named}{lower:.2f} and {upper:.2f}"
+    return f"after {found.pairs} pairs the log-likelihood ratio {found.llr:.2f} is {between}"
 
 
 def _span(estimate: Estimate) -> str:

@@ -10,7 +10,7 @@ from synthetic_matches import WORLDS, ends, outcomes, play
 
 from soccersim.regress.effect import after_fixed, after_stop, as_elo, bounds_of
 from soccersim.regress.likelihood import WIDEST, effect, outcome_llr
-from soccersim.regress.statistics import effect_of_elo, normalized_elo
+from soccersim.regress.statistics import effect_of_elo, elo_of_effect, normalized_elo
 
 PLAIN = bounds_of((-25, 25), 0.05, 0.05)
 
@@ -49,6 +49,19 @@ def test_every_end_gives_a_finite_estimate(t, pairs, llr, low, width, results):
     assert all(map(isfinite, found))
     assert found.low <= found.value + 1e-9
     assert found.value <= found.high + 1e-9
+
+
+def test_a_team_that_wins_every_pair_alike_is_far_beyond_the_bound_it_met():
+    met, beyond = (after_stop(t, 32, 3.25, PLAIN, 8).value for t in (0.5, 1.0))
+    assert beyond > met + 0.4
+
+
+def test_the_hypotheses_of_results_are_effects_about_zero_of_the_same_distribution():
+    x = np.array([-0.5, 0.0, 0.25, 0.5, 0.5])
+    about_mean, about_zero = x.mean() / x.std(), x.mean() / sqrt((x * x).mean())
+    nelo = float(elo_of_effect(about_mean))
+    assert bounds_of((0, nelo), 0.05, 0.05, results=True)[:2] == pytest.approx((0, about_zero))
+    assert bounds_of((0, nelo), 0.05, 0.05)[:2] == pytest.approx((0, about_mean))
 
 
 def test_teams_exchanged_is_the_sign_exchanged():

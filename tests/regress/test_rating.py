@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from soccersim.regress.rating import ELO, chances, ratings
+from soccersim.regress.rating import ELO, _derivatives, chances, ratings
 
 results = st.sampled_from([(2, 0, 0), (1, 1, 0), (1, 0, 1), (0, 2, 0), (0, 1, 1), (0, 0, 2)])
 NO_PRIOR = 1e-7
@@ -71,6 +71,20 @@ def test_newtons_method_and_davidsons_iteration_agree():
     elo, nu = by_iteration(5, players, played)
     assert rated.elo == pytest.approx(elo, abs=1e-3)
     assert rated.draws == pytest.approx(nu, abs=1e-5)
+
+
+def test_the_curvature_is_how_the_gradient_falls():
+    players, played = league(np.array([0.9, 0, -0.7]), 0.6, 20, np.random.default_rng(8))
+    at, step = np.array([0.8, 0.1, -0.5, -0.3]), 1e-5
+    falls = [
+        (gradient(at - e, players, played) - gradient(at + e, players, played)) / (2 * step)
+        for e in step * np.eye(4)
+    ]
+    assert _derivatives(at, players, played, 1.0)[1] == pytest.approx(np.array(falls), abs=1e-5)
+
+
+def gradient(fit, players, played):
+    return _derivatives(fit, players, played, 1.0)[0].sum(axis=0)
 
 
 def test_error_bars_agree_with_resampled_pairs():

@@ -117,7 +117,7 @@ def test_closing_bounds_lie_between_the_bounds_and_never_near_zero(low, width, a
 
 
 def test_closing_bounds_hold_at_the_last_mark_alone():
-    x = [1, -1] * 195 + [1] * 10  # the ratio climbs to 2.0 by the end
+    x = [1, -1] * 195 + [1] * 10  # the ratio climbs to 2.01 by the end
     ahead = judged(Sprt(), x)
     assert set(judged(Sprt(closing=False), x)) == {0}
     assert (ahead[-1], set(ahead[:-1])) == (1, {0})

@@ -124,7 +124,7 @@ def test_void_pairs_alone_are_not_identical():
 def test_a_copy_whose_legs_differ_makes_the_run_invalid():
     found = decide(copies(8) | run((1, 0)), Sprt(), same_code=True)
     assert found.verdict is Verdict.INVALID
-    assert found.reasons == ("pair 0: the same code on both sides, and its legs differ",)
+    assert found.reasons == ("the same code on both sides, and the legs of pair 0 differ",)
 
 
 def test_a_match_that_cannot_be_repeated_makes_the_run_invalid_at_once():
@@ -159,6 +159,19 @@ def test_faults_beyond_the_deciding_mark_do_not_count():
     samples[90] = replace(samples[90], faults=1)
     assert decide(samples, Sprt()).verdict is Verdict.PASS
     assert decide(samples, Fixed(100)).verdict is Verdict.INVALID
+
+
+def test_the_last_look_decides_by_bounds_of_its_own_and_says_so():
+    close = run(*[(1, 0), (-1, 0)] * 195, *[(1, 0)] * 10)
+    found = decide(close, Sprt())
+    assert found.verdict is Verdict.PASS
+    assert found.bounds[0] < found.llr < found.bounds[1]
+    assert found.llr > found.closing_bounds[1]
+    assert found.reasons[0].endswith("2.01 is not between the closing bounds -1.41 and 1.41")
+    assert decide(close, Sprt(closing=False)).verdict is Verdict.INCONCLUSIVE
+    assert decide(run(*[(2, 0)] * 40), Sprt()).reasons == (
+        "after 32 pairs the log-likelihood ratio 3.25 is not between -2.94 and 2.94",
+    )
 
 
 def test_void_pairs_take_a_number_and_say_nothing():
