@@ -58,15 +58,16 @@ def meeting(field: Pitch, ball: Ball, player: Player) -> tuple[float, float, flo
 
     Where the ball runs out of the field before, the place where it does.
     """
-    reach = player.body.radius + field.ball_radius
-    needed = reaching(player, reach)
+    needed = reaching(player, player.body.radius + field.ball_radius)
     speed = hypot(ball.vx, ball.vy)
     fastest = rate = 1.0 + speed / player.body.speed  # at which the two can close up
     early, t, x, y = 0.0, 0.0, ball.x, ball.y
     late = needed(x, y)
     if speed < LYING:
         return x, y, late
-    met = rolls_into(field, ball, *resting(player), reach)  # at the latest, if it does
+    met = passing(field, ball, *resting(player))  # at the latest, if it is in time for that
+    if met and needed(met[0], met[1]) > met[2]:
+        met = None
     most_x, most_y = field.length / 2.0, field.width / 2.0
     for _ in range(STEPS):
         before, was = t, late
@@ -124,20 +125,13 @@ def resting(player: Player) -> tuple[float, float]:
     return player.x + stops * vx, player.y + stops * vy
 
 
-def rolls_into(
-    field: Pitch, ball: Ball, x: float, y: float, reach: float
-) -> tuple[float, float, float] | None:
-    """Where and when a rolling ball comes so near to a place: x, y, s; None: it does not."""
+def passing(field: Pitch, ball: Ball, x: float, y: float) -> tuple[float, float, float] | None:
+    """Where and when a rolling ball passes a place: x, y, s; None: it never does."""
     speed = hypot(ball.vx, ball.vy)
     ux, uy = ball.vx / speed, ball.vy / speed
-    dx, dy = x - ball.x, y - ball.y
-    along, aside = dx * ux + dy * uy, dx * uy - dy * ux
-    if along <= 0.0 or abs(aside) >= reach:
-        return None
-    far = max(along - sqrt(reach * reach - aside * aside), 0.0)
-    slowing = field.ball_rolling
-    left = speed * speed - 2.0 * slowing * far
-    if left < 0.0:
+    far = (x - ball.x) * ux + (y - ball.y) * uy
+    left = speed * speed - 2.0 * field.ball_rolling * far
+    if far <= 0.0 or left < 0.0:
         return None
     return ball.x + far * ux, ball.y + far * uy, 2.0 * far / (speed + sqrt(left))
 
