@@ -11,7 +11,9 @@ from toy import Robot, Toy
 from soccersim.strategy import Ball, Command, Opponent, Pitch, Player, View, skills
 from soccersim.strategy.motion import wrap
 from soccersim.strategy.rolling import field_has, kick_time, reaching
+from soccersim.strategy.taking import off_the_line
 
+field = Pitch()
 near = st.floats(-4, 4)
 angle = st.floats(-pi, pi)
 
@@ -52,6 +54,16 @@ def test_a_ball_that_comes_is_waited_for_not_run_away_from(speed):
     assert robot.x < 3.3
 
 
+def test_a_ball_that_rolls_away_is_run_down():
+    toy = Toy([Robot(0, 0)], ball=(0.8, 0.2, 2.2, 0.3))
+    assert has_it(toy, skills.intercept) < 3.2
+
+
+def test_a_robot_beside_the_ball_goes_round_behind_it_at_once():
+    toy = Toy([Robot(0.38, 0, 2.0)], ball=(0, 0))
+    assert has_it(toy, lambda v, p: skills.intercept(v, p, (8, 0)), decisions=1) < 2.8
+
+
 def test_a_ball_that_lies_is_taken_from_behind_as_seen_towards_the_aim():
     for heading in (0.0, 2.0, -2.0):
         toy = Toy([Robot(2, 1, heading)], ball=(0, 0))
@@ -65,6 +77,17 @@ def test_a_ball_on_the_touch_line_is_not_pushed_over_it():
         toy = Toy([Robot(1, 0.5 * y)], ball=(0, y))
         assert has_it(toy, skills.intercept) < 8
         assert abs(toy.ball[1]) < 7.11
+
+
+def test_near_a_line_no_push_goes_outwards():
+    for x, y in ((0, 6.9), (0, -6.9), (-10.9, 0), (10.9, 3)):
+        ball = Ball(x, y)
+        dx, dy = off_the_line(field, ball, x, y)
+        assert dx * x + dy * y < 0
+        assert hypot(dx, dy) == pytest.approx(1)
+    assert off_the_line(field, Ball(10.9, 0), 1, 0) == (1, 0)  # that is the goal
+    walls = replace(field, rules=replace(field.rules, lines=False))
+    assert off_the_line(walls, Ball(0, 6.9), 0, 1) == (0, 1)
 
 
 def test_with_the_ball_it_is_held():
@@ -128,6 +151,15 @@ def test_a_shot_leaves_where_it_is_sent_though_the_robot_runs_across():
     assert abs(toy.ball[1] + vy / vx * (11 - toy.ball[0])) < 1.1
 
 
+def test_a_robot_that_drifts_kicks_when_it_looks_beside_the_place():
+    drift = 0.8  # m/s to its left, so the ball goes to the left of where it looks
+    looks = {turned: Player(2, 5, 0, turned, vy=drift, has_ball=True) for turned in (0.0, -0.1)}
+    view = View(robots=tuple(looks.values()), ball=Ball(5.35, 0))
+    kicks = {turned: skills.kick_at(view, p, 11, 0, 8.0, 0.04).kick for turned, p in looks.items()}
+    assert kicks[0.0] == 0
+    assert kicks[-0.1] > 7
+
+
 def test_a_shot_goes_past_the_keeper():
     keeper = Opponent(10.5, 0.5)
     toy = Toy([Robot(6, 0)], ball=(6.35, 0), opponents=[keeper])
@@ -163,9 +195,6 @@ def test_a_pass_is_received():
         toy.step([first, second])
         taken = toy.in_mouth(toy.robots[1])
     assert taken
-
-
-field = Pitch()
 
 
 @settings(derandomize=True)

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from toy import Robot, Toy
 
 from soccersim.strategy import Ball, Body, Opponent, Pitch, Player, View, skills
-from soccersim.strategy.motion import pace, time_to, wrap
+from soccersim.strategy.motion import drive_to, pace, time_to, turn_to, wrap
 
 place = st.floats(-6, 6)
 angle = st.floats(-pi, pi)
@@ -76,6 +76,17 @@ def test_a_robot_turns_to_a_place_the_short_way():
     toy = Toy([Robot(0, 0, 3.0)]).play(2, lambda v: skills.face(v, v.robots[0], -1, -1))
     assert toy.robots[0].heading == pytest.approx(-3 * pi / 4 + 2 * pi, abs=0.02)
     assert (toy.robots[0].x, toy.robots[0].y) == (0, 0)
+
+
+def test_a_robot_that_turns_fast_brakes_before_it_is_there():
+    assert turn_to(Player(1, 0, 0, -0.2), 0.0) > 0
+    assert turn_to(Player(1, 0, 0, -0.2, omega=4.0), 0.0) < 0
+
+
+def test_a_robot_that_moves_along_with_its_place_goes_on_so():
+    player = Player(1, 2, 3, vx=1.5)
+    assert drive_to(player, 2, 3, 0.0, run=(1.5, 0.0)) == pytest.approx((1.5, 0, 0))
+    assert drive_to(player, 2, 3, 0.0)[0] < 0
 
 
 @settings(derandomize=True)

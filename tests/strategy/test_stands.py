@@ -71,6 +71,16 @@ def test_a_ball_that_passes_the_goal_or_stops_before_it_is_left_alone():
     assert skills.stop_shot(view, player) is not None
 
 
+def test_a_keeper_that_would_come_too_late_does_not_brake():
+    late = Player(1, -10.5, 0, pi / 2), Ball(-6, 0.9, -9, 0)
+    early = late[0], Ball(-6, 0.9, -2.5, 0)
+    speed = {}
+    for name, (player, ball) in (("late", late), ("early", early)):
+        command = skills.stop_shot(View(robots=(player,), ball=ball), player)
+        speed[name] = hypot(command.vx, command.vy)
+    assert speed["late"] > speed["early"] + 0.3
+
+
 def restart(phase, ours, robots, ball, seconds, mind, **more):
     toy = Toy(robots, ball=ball, phase=phase, ours=ours, started=False, **more)
     return toy.play(seconds, lambda v: mind(v, v.robots[0]))
@@ -166,6 +176,14 @@ def test_the_taker_stops_before_the_ball_though_its_aim_changes():
     for k in range(160):
         toy.play(0.04, lambda v, k=k: skills.stand_ready(v, v.robots[0], *aims[k // 12 % 4]))
     assert hypot(*toy.ball[:2]) == 0
+
+
+def test_a_taker_that_comes_fast_is_told_to_slow_down():
+    ball = Ball(0, 0)
+    for vx, most in ((0.0, 1.55), (2.0, 1.3)):
+        player = Player(2, -1.4, 0, vx=vx)
+        command = skills.stand_ready(View(robots=(player,), ball=ball), player, 5, 0)
+        assert hypot(command.vx, command.vy) < most
 
 
 def test_a_restart_is_taken_without_pushing_the_ball_about():
