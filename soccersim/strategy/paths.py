@@ -4,13 +4,14 @@ from collections.abc import Sequence
 from math import asin, atan2, cos, hypot, pi, sin, sqrt
 
 from soccersim.strategy.api import Player, View
-from soccersim.strategy.motion import AHEAD, BRAKING, velocity
+from soccersim.strategy.motion import BRAKING, velocity
 
 MARGIN = 0.12  # m of air between two robots
 FORESIGHT = 0.5  # s at most that others are expected to go on as they go
 TRIES = 4  # obstacles one behind the other
 SWAY = 0.1  # rad per m/s: a robot under way to one side keeps to that side
 DRIFT = 0.08  # m that a robot may be carried beyond a corner of its way
+AHEAD = 0.3  # m, at least, to the next point of a way round something: nearer, robots hunt for it
 OUTWARDS = 1.0  # rad off the edge of a disc, for a robot at its centre
 VERGE = 0.3  # m outside the lines that a way may lead
 BOARD = 0.3  # m that a robot's centre keeps from the boards
