@@ -58,7 +58,7 @@ class Roles(Strategy):
 
     def first_at_ball(self, view: View) -> Player | None:
         """Who can have the ball first; the keeper only in its area."""
-        ball, play = view.ball, view.phase is Phase.PLAY
+        ball, play = view.ball, view.ours is None and skills.may_play(view)
         if ball is None or not (play or view.ours):
             return None
         first, soonest = None, 1e9
@@ -79,7 +79,7 @@ class Roles(Strategy):
     def play(self, view: View, player: Player) -> Command:
         """Take a restart, or get the ball and play it on, fair to opponents on the way."""
         x, y = self.target
-        if view.phase is Phase.PLAY:
+        if view.ours is None:
             command = self.play_on(view, player)
             return command if player.has_ball else careful(view, player, command, TOUCHING)
         if not view.started:
