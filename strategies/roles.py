@@ -37,6 +37,7 @@ class Roles(Strategy):
         super().__init__(rng)
         self.ball = Possession()
         self.first: int | None = None  # number of the robot that plays the ball
+        self.mate: int | None = None  # number of whom it passes to
         self.target = 0.0, 0.0  # m, where a restart of ours goes
 
     def decide(self, view: View) -> Sequence[Command]:
@@ -95,7 +96,9 @@ class Roles(Strategy):
             return replace(skills.shoot(view, player), label="shoot")
         ahead = [p for p in view.robots if p is not player and p.in_play and p.x > player.x + 1.0]
         clear = [p for p in ahead if skills.clearance(view, player.x, player.y, p.x, p.y, 4.0) > 0]
-        mate = max(clear or ahead, key=lambda p: p.x, default=None)
+        chosen = [p for p in clear if p.number == self.mate]  # stay with it: turning takes time
+        mate = max(chosen or clear or ahead, key=lambda p: p.x, default=None)
+        self.mate = mate.number if mate else None
         if mate:
             return replace(skills.pass_to(view, player, mate, ARRIVE), label="pass")
         goal = view.field.length / 2.0

@@ -150,7 +150,7 @@ def test_a_team_that_sleeps_is_waited_for_only_so_long(team, apart, monkeypatch)
 
 
 def test_a_loop_at_import_is_ended(team, apart, monkeypatch):
-    monkeypatch.setattr(stopwatch, "LOADING", 0.3)
+    monkeypatch.setattr(stopwatch, "LOADING", 3.0)  # also the interpreter starts in it
     with pytest.raises(Forfeit) as caught:
         apart(team("while True: pass", whole=True))
     assert caught.value.kind == "deadline"
