@@ -61,6 +61,7 @@ def told(work: Callable[[], Document]) -> Document:
 def play(request: Document, turn: Turn, folder: Path) -> Document:
     """The match itself."""
     from soccersim.match.game import Game
+    from soccersim.match.keep import is_kept
     from soccersim.match.seating import take_seats
     from soccersim.spec.scenario import Scenario
     from soccersim.strategy.load import Origin
@@ -77,7 +78,8 @@ def play(request: Document, turn: Turn, folder: Path) -> Document:
     for seat in seats:
         seat.close()
     recording = result.recording
-    if request["recording"]:
+    kept = is_kept(request["keep"], request["watched"], result.score, result.faults)
+    if request["recording"] and kept:
         keep_standard_files()
         recording.save(request["recording"])
     match = recording.match or {}
