@@ -54,9 +54,9 @@ def command(name: str, force: bool) -> None:
 
     NAME may stand in a folder: teams/my_team.
     """
-    path = Path(name.removesuffix(".py") + ".py")
-    module = path.stem
+    module = Path(name).name.removesuffix(".py")
     check(module)
+    path = Path(name).with_name(f"{module}.py")
     if not path.parent.is_dir():
         raise InputError(Problem("there is no such folder: make it first", str(path.parent)))
     test = path.with_name(f"test_{module}.py")

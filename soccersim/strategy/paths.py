@@ -4,14 +4,15 @@ from collections.abc import Sequence
 from math import asin, atan2, cos, hypot, pi, sin, sqrt
 
 from soccersim.strategy.api import Player, View
-from soccersim.strategy.motion import BRAKING, velocity
+from soccersim.strategy.motion import AHEAD, BRAKING, velocity
 
 MARGIN = 0.12  # m of air between two robots
 FORESIGHT = 0.5  # s at most that others are expected to go on as they go
 TRIES = 4  # obstacles one behind the other
 SWAY = 0.1  # rad per m/s: a robot under way to one side keeps to that side
 DRIFT = 0.08  # m that a robot may be carried beyond a corner of its way
-INSIDE = 0.3  # m from the board that a way may come
+OUTWARDS = 1.0  # rad off the edge of a disc, for a robot at its centre
+VERGE = 0.3  # m outside the lines that a way may lead
 
 Disc = tuple[float, float, float]  # x, y, radius to keep the robot's centre away by; m
 Point = tuple[float, float]
@@ -36,7 +37,7 @@ def others(view: View, player: Player) -> list[Disc]:
 
 
 def first_in_the_way(start: Point, end: Point, discs: Sequence[Disc]) -> Disc | None:
-    """The disc that a straight way enters first; its radius no more than lets start and end be."""
+    """The disc that a straight way enters first; its radius no more than lets the end be."""
     sx, sy = start
     dx, dy = end[0] - sx, end[1] - sy
     far = hypot(dx, dy)
@@ -52,8 +53,9 @@ def first_in_the_way(start: Point, end: Point, discs: Sequence[Disc]) -> Disc | 
         aside = abs(ox * dy - oy * dx)
         if aside >= radius:
             continue
-        # from within, or to a place within, the robot goes as near as it must
-        free = min(radius, 0.98 * hypot(ox, oy), 0.98 * hypot(end[0] - x, end[1] - y))
+        free = min(
+            radius, 0.98 * hypot(end[0] - x, end[1] - y)
+        )  # to one within: as near as must be
         enters = along - sqrt(max(free * free - aside * aside, 0.0))
         if aside < free and enters < first:
             first, found = enters, (x, y, free)
@@ -79,11 +81,11 @@ def next_point(
     side = 0.0
     point = target
     for _ in range(TRIES):
-        gather(crowd, rest, start, target)
+        gather(crowd, rest, target)
         left, right = edges(start, target, crowd)
         if not side:
             side = 1.0 if left[0] - sway < sway - right[0] else -1.0
-            if not on_carpet(view, spot(start, target, left if side > 0 else right)):
+            if not on_field(view, spot(start, target, left if side > 0 else right)):
                 side = -side
         point = spot(start, target, left if side > 0 else right)
         disc = first_in_the_way(start, point, rest)
@@ -91,15 +93,20 @@ def next_point(
             break
         crowd.append(disc)
         rest = [each for each in rest if each[:2] != disc[:2]]
-    fast = corner_speed(player, point, target, rest)
+    fast = corner_speed(player, point, target, crowd, rest)
     return point[0], point[1], hypot(x - point[0], y - point[1]), fast
 
 
-def corner_speed(player: Player, point: Point, target: Point, rest: Sequence[Disc]) -> float:
-    """How fast a robot may be now so that it can turn at the point to the way that follows, m/s."""
+def corner_speed(
+    player: Player, point: Point, target: Point, crowd: Sequence[Disc], rest: Sequence[Disc]
+) -> float:
+    """How fast a robot may be now so that it can turn at the point to the way that follows, m/s.
+
+    That way leads round the crowd still, or past the next of the rest.
+    """
     start = player.x, player.y
     ahead = target
-    disc = first_in_the_way(point, target, rest)
+    disc = first_in_the_way(point, target, rest) or first_in_the_way(point, target, crowd)
     if disc:
         left, right = edges(point, target, [disc])
         ahead = spot(point, target, left if left[0] < -right[0] else right)
@@ -112,20 +119,19 @@ def corner_speed(player: Player, point: Point, target: Point, rest: Sequence[Dis
     return sqrt(slow2 + 2.0 * a * hypot(dx, dy))
 
 
-def gather(crowd: list[Disc], rest: list[Disc], start: Point, target: Point) -> None:
+def gather(crowd: list[Disc], rest: list[Disc], target: Point) -> None:
     """Move to the crowd what overlaps one of it; a robot does not fit between."""
     for disc in crowd:  # it grows while it is read
         for other in list(rest):
             if hypot(disc[0] - other[0], disc[1] - other[1]) < disc[2] + other[2]:
                 rest.remove(other)
-                crowd.append(shrunk(other, start, target))
+                crowd.append(shrunk(other, target))
 
 
-def shrunk(disc: Disc, start: Point, target: Point) -> Disc:
-    """A disc that neither the start nor the target is in."""
+def shrunk(disc: Disc, target: Point) -> Disc:
+    """A disc that the target is not in."""
     x, y, radius = disc
-    to_start, to_target = hypot(start[0] - x, start[1] - y), hypot(target[0] - x, target[1] - y)
-    return x, y, min(radius, 0.98 * to_start, 0.98 * to_target)
+    return x, y, min(radius, 0.98 * hypot(target[0] - x, target[1] - y))
 
 
 def edges(
@@ -138,8 +144,9 @@ def edges(
         ox, oy = x - start[0], y - start[1]
         far = hypot(ox, oy) + 1e-9
         off = atan2(dx * oy - dy * ox, dx * ox + dy * oy)
-        half = asin(min(radius / far, 0.98))
-        length = sqrt(max(far * far - radius * radius, 0.0))
+        # out of one that it is in already, a robot goes a little outwards
+        half = asin(radius / far) if radius < far else pi / 2.0 + OUTWARDS * (1.0 - far / radius)
+        length = max(sqrt(max(far * far - radius * radius, 0.0)), AHEAD)
         left = max(left, (off + half, length))
         right = min(right, (off - half, length))
     return left, right
@@ -153,13 +160,10 @@ def spot(start: Point, target: Point, edge: tuple[float, float]) -> Point:
     return start[0] + c * dx - s * dy, start[1] + s * dx + c * dy
 
 
-def on_carpet(view: View, point: Point) -> bool:
-    """Whether a robot can be there without touching the boards."""
+def on_field(view: View, point: Point) -> bool:
+    """Whether a place is on the field, or hardly outside."""
     field = view.field
-    return (
-        abs(point[0]) < field.length / 2.0 + field.border - INSIDE
-        and abs(point[1]) < field.width / 2.0 + field.border - INSIDE
-    )
+    return abs(point[0]) < field.length / 2.0 + VERGE and abs(point[1]) < field.width / 2.0 + VERGE
 
 
 def round_area(view: View, player: Player, x: float, y: float) -> tuple[float, float, float]:

@@ -3,11 +3,12 @@
 from math import atan2, cos, hypot, pi, sin
 
 from soccersim.strategy.api import Command, Phase, Player, View
-from soccersim.strategy.motion import BRAKING, GAIN, pace
+from soccersim.strategy.motion import GAIN, LAG, pace
 from soccersim.strategy.moves import go_to
 
 ROOM = 0.3  # m more than the rules ask: nobody knows exactly where he is
 SLOW = 0.3  # m/s
+CAUTIOUS = 0.6  # of its acceleration the taker plans to brake with before the ball
 READY = 0.3  # m of air between the ball and the robot that waits to take it
 AROUND = tuple(side * step * pi / 8 for step in range(9) for side in (1, -1))  # rad
 
@@ -51,7 +52,8 @@ def stand_ready(view: View, player: Player, x: float, y: float) -> Command:
     far = hypot(dx, dy) or 1.0
     air = player.body.radius + view.field.ball_radius
     back = (air + READY) / far
-    gap = max(hypot(player.x - ball.x, player.y - ball.y) - air - READY / 2, 0.0)
+    runs = LAG * hypot(player.vx, player.vy)
+    gap = max(hypot(player.x - ball.x, player.y - ball.y) - air - READY / 2 - runs, 0.0)
     return go_to(
         view,
         player,
@@ -60,7 +62,7 @@ def stand_ready(view: View, player: Player, x: float, y: float) -> Command:
         atan2(dy, dx),
         keep_off=((ball.x, ball.y, air + READY / 2),),
         # wherever it is sent next, it can stop before the ball
-        speed=max(pace(gap, BRAKING * player.body.acceleration, GAIN), SLOW),
+        speed=max(pace(gap, CAUTIOUS * player.body.acceleration, GAIN), SLOW),
     )
 
 

@@ -60,26 +60,27 @@ def meeting(field: Pitch, ball: Ball, player: Player) -> tuple[float, float, flo
     reach = player.body.radius + field.ball_radius
     fastest = rate = 1.0 + speed / player.body.speed  # at which the two can close up
     early, t, x, y = 0.0, 0.0, ball.x, ball.y
+    met: tuple[float, float, float] | None = None
     late = reaching(player, x, y, reach)
     for _ in range(STEPS):
-        if abs(late) < SOON:
-            break
         before, was = t, late
-        if late > 0:
+        if late <= SOON:
+            met = x, y, t
+            if late > -SOON or t - early < SOON:
+                break
+            t = (early + t) / 2.0  # it could be sooner: the ball may have rolled through it
+        else:
             early = t
             t += max(late / rate, SOON)
-        else:  # it could be there sooner: the ball may even have rolled through it meanwhile
-            t = (early + t) / 2.0
+            if met and t >= met[2]:
+                t = (early + met[2]) / 2.0
         x, y = ball_at(field, ball, t)
         if field.rules.lines and not field_has(field, x, y):
-            x, y = last_inside(field, ball, x, y)
-            break
+            return *last_inside(field, ball, x, y), t
         late = reaching(player, x, y, reach) - t
         if t > before:  # the next step goes on as this one went (secant)
             rate = min(max((was - late) / (t - before), BOLDEST * fastest), fastest)
-        elif t - early < SOON / 2:
-            break
-    return x, y, t
+    return met or (x, y, t)
 
 
 def reaching(player: Player, x: float, y: float, reach: float) -> float:

@@ -69,6 +69,17 @@ def test_who_shoves_an_opponent_away_commits_a_foul():
     assert tuple(rig.ball) == pytest.approx((event.x, event.y))
 
 
+def test_shoving_while_the_ball_is_out_is_forgotten_at_start():
+    rig = opponents(Rig().playing(1.0, 6.9), -2.0, -5.0)
+    rig.run(0.9, drive(rig, "home-4", vx=0.5, also=["away-3"]))
+    rig.roll(1.0, 7.13)
+    shove = drive(rig, "home-4", vx=0.05, also=["away-3"])  # they stay in contact
+    rig.until(lambda: rig.referee.started and rig.phase is Phase.THROW_IN, move=shove)
+    rig.until(lambda: rig.phase is Phase.PLAY, move=shove).run(0.2, shove)
+    assert rig.phase is Phase.PLAY
+    assert "pushing" not in rig.kinds
+
+
 def test_robots_that_touch_without_shoving_commit_none():
     rig = opponents(Rig().playing(0.0, -6.0), 1.0, 4.0)
     rig.body[[rig.row("home-4"), rig.row("away-3")], 3] = 0.5, -0.5  # both press

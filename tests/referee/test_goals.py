@@ -130,3 +130,14 @@ def test_a_goal_is_judged_by_who_touched_the_ball_before_it_crossed_the_line():
     rig.run(0.1)
     assert rig.kinds[-1] == "goal"
     assert rig.event("goal").robots == ("home-4",)
+
+
+def test_a_touch_behind_the_line_does_not_make_a_goal_good():
+    rig = kick_off(Rig())
+    rig.kick("home-5", 1.0, 0.0).run(0.3)
+    rig.until(lambda: rig.tick % rig.every == 1)  # the referee has just looked
+    rig.put("ball", 11.13, 0.0)
+    rig.step()
+    rig.beside("away-1", 1, 0)
+    rig.run(0.05)
+    assert "since the restart" in rig.event("no_goal").text

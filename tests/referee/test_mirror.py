@@ -83,3 +83,14 @@ def test_places_of_restarts_turn_with_the_field(x, y):
     ):
         if x != 0.0 and (y != 0.0 or place.__name__ not in ("corner", "throw_in")):
             assert place(-x, -y) == turned(place(x, y))
+
+
+@pytest.mark.parametrize("slot", [0, 1])
+def test_who_stands_exactly_on_the_balls_place_goes_towards_his_own_goal(slot):
+    referee = Rig().referee
+    referee.scene.look(0, Rig().body)
+    row, ball = 5 * slot + 2, (1.0, 2.0)
+    referee.scene.x, referee.scene.y = ball
+    x, y = referee.room.find(row, ball, ball, lambda x, y: True)
+    assert (x - 1.0) * referee.direction[slot] < -0.3
+    assert y == 2.0

@@ -232,3 +232,25 @@ def test_at_a_kick_off_that_is_placed_everybody_stands_at_his_start():
 def test_restarts_of_other_rule_sets_lead_to_play_too(name):
     rig = Rig(scenario(name)).to_start()
     rig.until(lambda: rig.phase is Phase.PLAY, seconds=8)
+
+
+def test_a_hard_pass_may_be_over_before_the_referee_looks():
+    rig = throw_in().to_start()
+    rig.until(lambda: rig.tick % rig.every == 1)
+    rig.beside("away-3", 0, 1)
+    rig.step()
+    rig.put("ball", 1.0, 6.0)
+    rig.beside("away-4", 0, -1)
+    rig.run(0.06)
+    assert rig.phase is Phase.PLAY
+    assert "double_touch" not in rig.kinds
+
+
+def test_at_a_goal_kick_even_the_keeper_keeps_its_distance():
+    rig = Rig().playing(9.0, 3.4).roll(11.2, 3.4).to_signal()
+    assert tuple(rig.ball) == (7.4, 3.5)
+    rig.put("away-1", 8.76, 3.4)  # in its penalty area
+    rig.put("away-2", 7.4, 4.0)
+    rig.to_start()
+    assert rig.far("away-1") == pytest.approx(2.0, abs=0.01)
+    assert rig.place("away-2") == (7.4, 4.0)

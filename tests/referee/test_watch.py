@@ -123,3 +123,13 @@ def test_shoving_counts_only_within_one_contact():
         rig.run(0.3)
     assert rig.watch.pushed[0] == -1
     assert max(abs(rig.watch.shove)) == pytest.approx(0.2)
+
+
+def test_every_contact_begins_anew_at_start():
+    rig = Rig().away().run(9.0)
+    rig.beside("home-4", -1, 0)
+    rig.run(0.1)
+    rig.beside("home-4", -1, 1)
+    rig.to_start().run(0.1)
+    assert tuple(rig.watch.caught[rig.row("home-4")]) == rig.place("home-4")
+    assert len(seen(rig)) == 2

@@ -50,6 +50,16 @@ def test_a_robot_that_fails_while_it_is_off_stays_off_longer():
     assert rig.event("back").time == pytest.approx(65.0, abs=0.05)
 
 
+def test_a_second_shorter_failure_brings_nobody_back_sooner():
+    twice = (
+        {"robot": "home-3", "time": 20.0, "seconds": 60.0},
+        {"robot": "home-3", "time": 30.0, "seconds": 1.0},
+    )
+    rig = failing(failures=twice)
+    rig.until(lambda: "back" in rig.kinds, seconds=90)
+    assert rig.event("back").time == pytest.approx(80.0, abs=0.05)
+
+
 def test_who_is_off_waits_at_half_time_in_his_teams_new_half():
     late = ({"robot": "home-3", "time": 20.0, "seconds": 100.0},)
     rig = Rig(scenario(changes={"duration": 60.0}, match={"failures": late})).playing()
