@@ -37,11 +37,17 @@ def serve(folder: Path, work: Callable[[Document, Turn, Path], Document]) -> Non
     os.close(nothing)
     threading.Thread(target=follow_parent, args=(parent, turn, folder), daemon=True).start()
     keep_traces(folder / TRACE)
+    answer(folder, turn, work)
+    os._exit(0)
+
+
+def answer(folder: Path, turn: Turn, work: Callable[[Document, Turn, Path], Document]) -> Document:
+    """Do the work that request.json asks for; leaves outcome.json, and returns it."""
     outcome = told(lambda: work(json.loads((folder / REQUEST).read_text("utf-8")), turn, folder))
     part = folder / (OUTCOME + ".part")
     part.write_text(json.dumps(outcome), encoding="utf-8")
     part.replace(folder / OUTCOME)
-    os._exit(0)
+    return outcome
 
 
 def told(work: Callable[[], Document]) -> Document:

@@ -89,9 +89,10 @@ def become(keeper: int, stdin: int, stdout: int, module: str, arguments: list[st
         for number, file in ((0, stdin), (1, stdout), (2, stdout)):
             os.dup2(file, number)
         os.closerange(3, MOST_FILES)
-        if "numpy" in sys.modules:  # Python's own generator sees to that itself
-            import_module("numpy.random").seed()
-        import_module(module).main(*arguments)
+        if numpy := sys.modules.get("numpy"):  # Python's own generator sees to that itself
+            numpy.random.seed()
+        process = import_module(module)
+        process.main(*arguments)
     except BaseException:
         traceback.print_exc()
         os._exit(1)

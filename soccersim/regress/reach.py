@@ -72,7 +72,7 @@ class Reach:
             if self.size > MOST_BYTES or len(self.files) >= MOST_FILES:
                 most = f"{MOST_BYTES >> 20} MiB in {MOST_FILES} files"
                 wrong = f"with all that it imports it is more than {most}"
-                raise InputError(Problem(f"{wrong}: it stopped at {one_line(str(path))}", shown))
+                raise InputError(Problem(f"{wrong}: it stopped at {one_line(name)}", shown))
             self.files[name] = path.read_bytes()
         except OSError as error:
             wrong = f"{one_line(str(path), 200)}: {error.strerror or error}"
