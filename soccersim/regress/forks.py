@@ -11,6 +11,7 @@ import signal
 import socket
 from contextlib import suppress
 from pathlib import Path
+from typing import Any
 
 from soccersim.regress.keeper import keep
 from soccersim.regress.warm import receive
@@ -24,25 +25,34 @@ def main(number: str, folder: str) -> None:
     with socket.socket(fileno=int(number)) as asked:
         for name in THREADS:
             os.environ.setdefault(name, "1")
-        with suppress(EOFError, OSError):
-            document, _ = receive(asked)
-            if document["scenario"]:
-                load(document["scenario"], Path(folder))
-            gc.collect()
-            gc.freeze()  # or collecting would write to memory that all share
-            signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # no keeper waits for its burial
-            asked.send(b"+")
+        document, _ = receive(asked)
+        if document["scenario"]:
+            load(document["scenario"], Path(folder))
+        gc.collect()
+        gc.freeze()  # or collecting would write to memory that all share
+        signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # no keeper waits for its burial
+        asked.send(b"+")
+        with suppress(EOFError, ConnectionError):
             while True:
-                document, files = receive(asked)
-                stdin, stdout, status = files
-                if os.fork() == 0:
-                    keep(stdin, stdout, status, document["module"], document["arguments"])
-                for file in files:
-                    os.close(file)
+                serve(asked, *receive(asked))
     with suppress(ChildProcessError):
         os.waitpid(-1, 0)  # returns when the last keeper has ended
     shutil.rmtree(folder, ignore_errors=True)
     os._exit(0)
+
+
+def serve(asked: socket.socket, document: dict[str, Any], files: list[int]) -> None:
+    """Fork a keeper."""
+    stdin, stdout, status = files
+    try:
+        if os.fork() == 0:
+            asked.close()
+            keep(stdin, stdout, status, document["module"], document["arguments"])
+    except OSError:
+        pass  # who asked hears of it, as nobody tells a number
+    finally:
+        for file in files:
+            os.close(file)
 
 
 def load(text: str, folder: Path) -> None:

@@ -37,11 +37,13 @@ def keep(stdin: int, stdout: int, status: int, module: str, arguments: list[str]
         os.set_blocking(wake, False)
         signal.set_wakeup_fd(wake, warn_on_full_buffer=False)
         signal.signal(signal.SIGCHLD, lambda *_: None)
-        keeper = os.getpid()
+        keeper, (apart, begun) = os.getpid(), os.pipe()
         child = os.fork()
         if child == 0:
             become(keeper, stdin, stdout, module, arguments)
         os.close(stdout)
+        os.close(begun)
+        os.read(apart, 1)  # it leads a group now: whoever knows its id may end that
         with suppress(BrokenPipeError):
             os.write(status, NUMBER.pack(child))
             code = awaited(child, stdin, woken)
@@ -88,7 +90,7 @@ def become(keeper: int, stdin: int, stdout: int, module: str, arguments: list[st
         signal.signal(signal.SIGCHLD, signal.SIG_DFL)
         for number, file in ((0, stdin), (1, stdout), (2, stdout)):
             os.dup2(file, number)
-        os.closerange(3, MOST_FILES)
+        os.closerange(3, MOST_FILES)  # the keeper waits for that
         if numpy := sys.modules.get("numpy"):  # Python's own generator sees to that itself
             numpy.random.seed()
         process = import_module(module)

@@ -1,0 +1,14 @@
+"""A process that does what it is told, in Python."""
+
+import ctypes  # noqa: F401
+import os  # noqa: F401
+import random  # noqa: F401
+import signal  # noqa: F401
+import subprocess  # noqa: F401
+import sys  # noqa: F401
+import threading  # noqa: F401
+import time  # noqa: F401
+
+
+def main(code):
+    exec(code, globals())
