@@ -5,7 +5,7 @@ ended by a fault, or left a thread behind, plays no other.
 """
 
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from subprocess import DEVNULL, PIPE
 from threading import Event, Lock, Thread
 from typing import IO, Any
@@ -33,11 +33,12 @@ class Reused:
         for _try in range(TRIES):
             with self._lock:
                 if not self._free:
-                    self._free.append(Worker(self._give_back))
+                    self._free.append(Worker())
                     self._all.append(self._free[-1])
                 worker = self._free.pop()
             if worker.ask(module, arguments[0]):
-                return Lent(worker)
+                return Lent(worker, self)
+            self.bury(worker)
         raise MachineError("no process can be started")
 
     def close(self) -> None:
@@ -47,17 +48,24 @@ class Reused:
                 end(worker.process)
             self._all, self._free = [], []
 
-    def _give_back(self, worker: "Worker") -> None:
+    def give_back(self, worker: "Worker") -> None:
+        """It is free for another match."""
         with self._lock:
             self._free.append(worker)
+
+    def bury(self, worker: "Worker") -> int:
+        """End it, if it has not ended; its exit code."""
+        with self._lock:
+            if worker in self._all:
+                self._all.remove(worker)
+        return end(worker.process)
 
 
 class Worker:
     """One such process, and the thread that hears when it is ready for more."""
 
-    def __init__(self, give_back: "Callable[[Worker], None]") -> None:
+    def __init__(self) -> None:
         self.process = start(WORKER, [], stdout=PIPE, stderr=DEVNULL)
-        self.give_back = give_back
         self.done = Event()
         Thread(target=self._listen, daemon=True).start()
 
@@ -68,14 +76,14 @@ class Worker:
             if self.process.stdin:
                 self.process.stdin.write(json.dumps([module, folder]).encode() + b"\n")
         except OSError:
-            end(self.process)
             return False
         return True
 
     def _listen(self) -> None:
-        pipe = self.process.stdout
-        while pipe and pipe.read(1):
-            self.done.set()
+        if self.process.stdout:
+            with self.process.stdout as pipe:
+                while pipe.read(1):
+                    self.done.set()
 
 
 class Lent:
@@ -84,8 +92,8 @@ class Lent:
     stdin: IO[bytes] | None = None
     stdout: IO[bytes] | None = None
 
-    def __init__(self, worker: Worker) -> None:
-        self.worker = worker
+    def __init__(self, worker: Worker, source: Reused) -> None:
+        self.worker, self.source = worker, source
         self.pid = worker.process.pid
         self.returncode: int | None = None
 
@@ -93,11 +101,11 @@ class Lent:
         """0 when the match is over; its exit code when it has ended instead."""
         if self.returncode is None and self.worker.done.is_set():
             self.returncode = 0
-            self.worker.give_back(self.worker)
+            self.source.give_back(self.worker)
         return self.worker.process.poll() if self.returncode is None else self.returncode
 
     def wait(self) -> int:
         """The same, when it is over."""
         if self.returncode is None:
-            self.returncode = self.worker.process.wait()
+            self.returncode = self.source.bury(self.worker)
         return self.returncode
