@@ -65,7 +65,8 @@ def chosen(view: View, team: list[Player], roles: dict[int, Role]) -> Player | N
     if ball is None or view.phase is Phase.STOP or view.ours is False:
         return None
     x = 2.0 * ball.x / view.field.length
-    near = [p for p in team if p.in_play and roles[p.number].beat[0] <= x <= roles[p.number].beat[1]]
+    beats = {number: role.beat for number, role in roles.items()}
+    near = [p for p in team if p.in_play and beats[p.number][0] <= x <= beats[p.number][1]]
     restart = view.phase is not Phase.PLAY
     return skills.nearest(tuple(team if restart or not near else near), ball.x, ball.y)
 

@@ -1,11 +1,12 @@
 """Roles given anew at every moment: one plays the ball, one guards, the others support or mark.
 
-The robot that can have the ball first plays it: it shoots where it sees a part of the goal, passes
-where a mate is better placed, and in between carries the ball, no farther than the rules allow.
-One of the others stays between the ball and the own goal. With the ball, the rest go where a pass
-can reach them; without it, each of them marks an opponent.
+The robot that can have the ball first plays it: in the opponents' half it shoots, if a goal would
+count; else it passes to the mate farthest ahead, or kicks the ball forward. One of the others stays
+between the ball and the own goal. With the ball, the rest go where a pass can reach them; without
+it, each of them marks an opponent.
 
-Its weakness: it sees this moment only. No move is planned, and nobody guesses the opponents'.
+Its weakness: it sees this moment only. It gives the ball away rather than carry it, and no move is
+planned.
 """
 
 from collections.abc import Sequence
@@ -17,12 +18,7 @@ from soccersim.strategy.manners import careful
 from soccersim.strategy.possession import Possession
 
 LOYAL = 0.3  # s by which another robot must be sooner at the ball to take over
-GAP = 0.04  # rad, half of what must be open of the goal for a shot
-PRESSED = 1.8  # m to an opponent before our robot with the ball, that make it pass
-CARRY = 0.6  # of the way that the rules allow with the ball
 CLEAR = 6.0  # m/s, of a ball kicked ahead to nobody
-COMMITTED = 1.0  # s that a robot sticks to whom it passes to
-ON = 3.0  # m/s, of a ball that the robot kicks ahead and runs after
 OUT = 0.9  # m before its line that the keeper stands
 MARK = 1.2  # m from an opponent to the one that marks it
 ROOM = 1.1  # m from an opponent to a robot that wants the ball
@@ -35,25 +31,27 @@ Spot = tuple[float, float, str]  # x, y, m; what the robot there is called
 
 
 class Roles(Strategy):
-    """Remembers who plays the ball, and whom he has chosen to pass to at a restart."""
+    """Remembers who plays the ball, and whether a goal of his would count."""
 
     def __init__(self, rng: object) -> None:
         super().__init__(rng)
         self.ball = Possession()
         self.first: int | None = None  # number of the robot that plays the ball
-        self.by: int | None = None  # number of the robot that is going to pass
-        self.to: int | None = None  # number of the mate it passes to
-        self.until = 0.0  # s, till when it will not think again
+        self.target = 0.0, 0.0  # where a restart of ours goes, m
 
     def decide(self, view: View) -> Sequence[Command]:
         """One command a robot."""
         self.ball.update(view)
         first = self.first_at_ball(view)
+        if view.ours and not view.started:
+            self.target = open_place(view)
         others = [p for p in view.robots if p.role == "field" and p.in_play and p is not first]
-        if view.ours is False:
+        if view.ours:
+            spots = [(*self.target, "receive"), *supports(view)]
+        elif view.ours is False:
             spots = wall(view)
         else:
-            spots = supports(view) if self.ball.ours or view.ours else marks(view)
+            spots = supports(view) if self.ball.ours else marks(view)
         places = share(view, others, spots)
         return [
             self.play(view, player)
@@ -86,49 +84,37 @@ class Roles(Strategy):
         return first
 
     def play(self, view: View, player: Player) -> Command:
-        """Get the ball; with it, shoot, pass, carry it, or kick it away."""
+        """Shoot from the opponents' half; else pass forward, or kick ahead."""
         if view.phase is not Phase.PLAY:
             return self.restart(view, player)
-        if not player.has_ball:
-            command = skills.intercept(view, player, None if busy(view) else goal(view))
-            return replace(careful(view, player, command, -0.02), label="get")
         rules = view.field.rules
-        there = player.x > 0.2 or rules.own_half_goals
-        if there and self.ball.may_score and skills.free_goal(view, player.x, player.y)[1] > GAP:
+        if player.x > 0.3 and (self.ball.may_score or rules.own_half_goals):
             return replace(skills.shoot(view, player), label="shoot")
-        carried = skills.distance(player, *self.ball.caught)
-        far = rules.dribble is not None and carried > CARRY * rules.dribble
-        mate = self.receiver(view, player)
-        if mate and (far or pressed(view, player) or mate.x > player.x + 1.0):
+        mates = [p for p in view.robots if p is not player and p.in_play and p.x > player.x + 1.0]
+        mate = max(mates, key=lambda m: m.x, default=None)
+        if mate:
             return replace(skills.pass_to(view, player, mate), label="pass")
-        if far:
-            x, y = player.x + 3.0 * cos(player.heading), player.y + 3.0 * sin(player.heading)
-            if x < player.x:
-                x, y = goal(view)
-            command = skills.kick_at(view, player, x, y, ON, 0.5)
-            return replace(command, label="push on")
-        return replace(skills.dribble(view, player, *goal(view)), label="carry")
-
-    def receiver(self, view: View, player: Player) -> Player | None:
-        """Whom to pass to: once chosen, for a while, as it takes time to turn there."""
-        if view.time > self.until or self.by != player.number:
-            mate, _ = skills.best_pass(view, player)
-            self.by, self.to = player.number, mate.number if mate else None
-            self.until = view.time + (COMMITTED if mate else 0.0)
-            return mate
-        return next((p for p in view.robots if p.number == self.to and p.in_play), None)
+        return replace(skills.kick_at(view, player, *goal(view), CLEAR, 0.2), label="clear")
 
     def restart(self, view: View, player: Player) -> Command:
-        """Choose a mate, stand behind the ball, and pass after START."""
-        mate = self.receiver(view, player)
-        x, y = (mate.x, mate.y) if mate else goal(view)
+        """Stand behind the ball, and pass after START."""
+        x, y = self.target
         if not view.started:
             return skills.stand_ready(view, player, x, y)
         if view.phase is Phase.PENALTY:
             return skills.shoot(view, player)
-        if mate:
-            return skills.pass_to(view, player, mate)
-        return skills.kick_at(view, player, x, y, CLEAR, 0.2)
+        speed = skills.kick_speed(view.field, skills.distance(player, x, y), 1.5)
+        return skills.kick_at(view, player, x, y, speed, 0.12)
+
+
+def open_place(view: View) -> tuple[float, float]:
+    """Where a mate receives our restart: back and to the side that is clearer."""
+    x, y = (view.ball.x, view.ball.y) if view.ball else (0.0, 0.0)
+    far = view.field.rules.mates + 0.7
+    places = [(x - 0.6 * far, y + side * 0.8 * far) for side in ((1, -1) if y < 0 else (-1, 1))]
+    inside = [p for p in places if abs(p[1]) < view.field.width / 2.0 - 0.5]
+    clear = {p: min(skills.clearance(view, x, y, *p, 3.0), 0.5) for p in inside}
+    return max(clear, key=lambda p: clear[p], default=(x - far, 0.0))
 
 
 def keep(view: View, player: Player) -> Command:
@@ -176,7 +162,8 @@ def marks(view: View) -> list[Spot]:
     threats.sort(key=lambda o: o.x)
     far = hypot(x + view.field.length / 2.0, y)
     guards = [(*homeward(view, x, y, far / 2.0), "guard")]
-    return guards + [(*homeward(view, o.x, o.y, MARK), "mark") for o in threats] + supports(view)[1:]
+    marked = [(*homeward(view, o.x, o.y, MARK), "mark") for o in threats]
+    return guards + marked + supports(view)[1:]
 
 
 def homeward(view: View, x: float, y: float, step: float) -> tuple[float, float]:
@@ -220,13 +207,3 @@ def in_area(view: View) -> bool:
     area = view.field.penalty_area
     deep, wide = (area.depth, area.width) if area else (1.5, 4.0)
     return view.ball.x < deep - view.field.length / 2.0 and abs(view.ball.y) < wide / 2.0
-
-
-def busy(view: View) -> bool:
-    """Whether an opponent is near the ball, so that there is no time to go round it."""
-    return any(hypot(o.x - view.ball.x, o.y - view.ball.y) < 2.0 for o in view.opponents)
-
-
-def pressed(view: View, player: Player) -> bool:
-    """Whether an opponent is near."""
-    return any(hypot(o.x - player.x, o.y - player.y) < PRESSED for o in view.opponents)

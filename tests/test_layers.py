@@ -13,10 +13,11 @@ ARMS = {"limbs", "arm_report"}
 TOLD = {"sheet", "touches", "shots", "match_report"}  # of a match, from its recording
 MATCH = {"strategy", "referee", "perception", "match", "verify"} | TOLD
 LOOP = {"limbs", "machine", "simulation", "record"}
-ALL = FOUNDATION | PARTS | ARMS | LOOP | {"bundled", "report", "workers", "repeat"}
+ALL = FOUNDATION | PARTS | ARMS | LOOP | {"bundled", "report", "workers", "processes", "repeat"}
 MAY_IMPORT = {  # part: what it may import besides itself and the name and version on top
     "problems": set(),
-    "workers": {"problems"},
+    "processes": set(),
+    "workers": {"problems", "processes"},
     "streams": set(),
     "kernel": set(),
     "state": set(),
@@ -43,7 +44,7 @@ MAY_IMPORT = {  # part: what it may import besides itself and the name and versi
     "match_report": {"record", "sheet", "touches", "shots"},
     "verify": {"problems", "record", "simulation", "match"},
     "repeat": {"record", "report", "simulation", "spec", "workers"},
-    "regress": {"problems", "bundled", "spec", "record", "strategy", "match"},
+    "regress": {"problems", "processes", "spec", "record", "strategy", "match"},
     "bench": ALL | {"render"},
     "reproduce": ALL | {"render"},
     "tune": ALL | {"render"},

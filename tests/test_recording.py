@@ -37,6 +37,7 @@ def test_the_shapes_are_those_of_records_bodies_robots_and_wheels(recording):
     records, robots, wheels = 50, 3, 6
     shapes = {
         "tick": (),
+        "chain": (4,),
         "body": (robots + 1 + 2 * 3, 6),  # the ball and two arms of three links
         "joint": (2, 3),
         "estimate": (robots, 3),
@@ -117,9 +118,9 @@ def test_no_damage_does_worse_than_a_refusal(recording, tmp_path):
 
 def test_recordings_of_another_soccersim_say_so(recording, tmp_path):
     meta = recording.meta
-    newer = Recording(meta | {"format": 2}, recording.arrays)
+    newer = Recording(meta | {"format": 3}, recording.arrays)
     newer.save(tmp_path / "r.npz")
-    assert refusal(tmp_path / "r.npz").endswith("has format 2; this soccersim reads format 1")
+    assert refusal(tmp_path / "r.npz").endswith("has format 3; this soccersim reads format 2")
     odd = {**meta["scenario"], "gravity": 3}
     with pytest.raises(InputError, match=re.escape("a recording of soccersim 0.1.0, whose")):
         _ = Recording(meta | {"scenario": odd}, recording.arrays).scenario

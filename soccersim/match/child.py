@@ -12,10 +12,10 @@ from time import perf_counter
 from typing import Any
 
 from soccersim.match.memory import MEBIBYTE, TEAM, limit_memory
-from soccersim.match.processes import end_group
 from soccersim.match.traces import keep_traces
 from soccersim.match.turn import Turn
 from soccersim.problems import InputError, MachineError
+from soccersim.processes import end_group, take_pipes
 
 OWN = 512 * MEBIBYTE  # for what is recorded and compiled while both teams play
 Document = dict[str, Any]
@@ -31,10 +31,8 @@ def serve(folder: Path, work: Callable[[Document, Turn, Path], Document]) -> Non
     """Do the work that request.json asks for; end with all threads that teams have left."""
     with open(folder / TURN, "r+b") as file:
         turn = Turn(mmap(file.fileno(), 0))
-    parent = os.dup(0)
-    nothing = os.open(os.devnull, os.O_RDONLY)
-    os.dup2(nothing, 0)  # what strategies may read: there is no input
-    os.close(nothing)
+    parent, out = take_pipes()
+    os.close(out)
     threading.Thread(target=follow_parent, args=(parent, turn, folder), daemon=True).start()
     keep_traces(folder / TRACE)
     answer(folder, turn, work)

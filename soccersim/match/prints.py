@@ -6,7 +6,7 @@ import threading
 from collections.abc import Callable
 from queue import Empty, SimpleQueue
 
-from soccersim.match.processes import Process
+from soccersim.processes import Process
 
 MOST = 64 * 1024  # bytes of a match that are shown
 CUT = "\n... the strategies print more than is shown\n"

@@ -8,6 +8,7 @@ from pathlib import Path
 from subprocess import PIPE
 from typing import Any, NoReturn
 
+from soccersim.match.endings import how_ended
 from soccersim.match.faults import BAD_COMMAND, DEADLINE, EXIT, Forfeit
 from soccersim.match.packets import (
     FAULT,
@@ -22,16 +23,17 @@ from soccersim.match.packets import (
     mistakes,
     pitch_document,
 )
-from soccersim.match.processes import BURIAL, end, end_group, has_ended, how_ended, start
 from soccersim.match.seats import Floats
 from soccersim.match.stopwatch import Stopwatch
 from soccersim.match.traces import ask_trace, read_trace
 from soccersim.match.turn import DECIDE, IMPORT, Turn
 from soccersim.problems import InputError, Problem
+from soccersim.processes import end, end_group, has_ended, start
 from soccersim.strategy.api import Pitch
 from soccersim.strategy.check import Answer
 from soccersim.strategy.load import Origin
 
+BURIAL = 1.0  # s that a process may take to end once its pipe is closed
 LOOK = 50  # ms from one look at the clock to the next, while a team decides
 
 

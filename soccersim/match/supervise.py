@@ -15,15 +15,16 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from soccersim.match.child import OUTCOME, REQUEST, TRACE, TURN
+from soccersim.match.endings import how_ended
 from soccersim.match.faults import CRASH, DEADLINE, MEMORY, TeamFault, forfeited
 from soccersim.match.keep import Keep
 from soccersim.match.prints import Prints
-from soccersim.match.processes import Process, end, end_group, has_ended, how_ended, start
 from soccersim.match.seating import Isolate, Origins
 from soccersim.match.stopwatch import Stopwatch
 from soccersim.match.traces import ask_trace, read_trace
 from soccersim.match.turn import NOBODY, SIDES, SIZE, STAGES, State, Turn, read_turn
 from soccersim.problems import InputError, MachineError, Problem, RunError
+from soccersim.processes import Process, end, end_group, has_ended, start
 from soccersim.spec.scenario import Scenario
 
 LOOK = 0.02  # s from one look at the process to the next
@@ -80,6 +81,8 @@ def play(
     InputError where a strategy is not there, MachineError where the machine fails, RunError where
     soccersim does. Ctrl-C leaves no process behind.
     """
+    if request.isolate not in ("match", APART):
+        raise InputError(Problem("--isolate team needs a POSIX system: leave it at match here"))
     first = attempt(request, progress, printed, child)
     if first.outcome and not first.doubt:
         return first.outcome

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from soccersim.match.endings import FULL
 from soccersim.match.faults import Forfeit
 from soccersim.match.memory import TEAM, limit_memory
 from soccersim.match.packets import (
@@ -21,11 +22,11 @@ from soccersim.match.packets import (
     pitch_from,
     strict,
 )
-from soccersim.match.processes import FULL
 from soccersim.match.seats import LocalSeat
 from soccersim.match.traces import keep_traces
 from soccersim.match.turn import Turn
 from soccersim.problems import InputError
+from soccersim.processes import take_pipes
 from soccersim.strategy.load import Origin
 
 
@@ -43,16 +44,6 @@ def main(trace: str) -> None:
         traceback.print_exc()
     finally:  # also threads that the team has left behind end here
         os._exit(code)
-
-
-def take_pipes() -> tuple[int, int]:
-    """The pipes from and to the match, where no print of the team gets into them."""
-    source, sink = os.dup(0), os.dup(1)
-    nothing = os.open(os.devnull, os.O_RDONLY)
-    os.dup2(nothing, 0)
-    os.close(nothing)
-    os.dup2(2, 1)  # what is printed joins what the match prints
-    return source, sink
 
 
 def serve(source: int, sink: int) -> None:

@@ -35,16 +35,18 @@ def packed(key: str, array: Numbers) -> Numbers:
     """Whole steps of change along the first axis, int32; rounded numbers come back unchanged."""
     if key not in STEPS:
         return array
-    steps = np.rint(array.astype(np.float64) / np.array(STEPS[key]))
-    whole = np.where(np.isnan(steps), NOTHING, steps).astype(np.int64)
-    return np.diff(whole, axis=0, prepend=whole[:1] * 0).astype(np.int32)
+    steps = np.rint(array / np.array(STEPS[key], np.float32))  # exact: a step is a power of two
+    steps[np.isnan(steps)] = NOTHING
+    whole = steps.astype(np.int32)
+    return np.diff(whole, axis=0, prepend=whole[:1] * 0)  # what is too large wraps round
 
 
 def unpacked(key: str, array: Numbers) -> Numbers:
     """What packed was given, as float32."""
     if key not in STEPS:
         return array
-    whole = np.cumsum(array, axis=0, dtype=np.int64)
-    whole = (whole + 2**31) % 2**32 - 2**31  # differences from NOTHING wrap round
-    values = whole * np.array(STEPS[key])
-    return np.where(whole == NOTHING, np.nan, values).astype(np.float32)
+    whole = np.cumsum(array, axis=0, dtype=np.int32)  # wraps round as the differences did
+    values: Numbers = whole * np.array(STEPS[key], np.float32)
+    values = values.astype(np.float32, copy=False)
+    values[whole == NOTHING] = np.nan
+    return values

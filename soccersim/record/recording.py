@@ -7,6 +7,7 @@ from functools import cached_property
 from os import PathLike, fspath
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+from zipfile import ZIP_DEFLATED, ZipFile
 
 import numpy as np
 from numpy.typing import NDArray
@@ -138,14 +139,15 @@ class Recording:
         """Write one .npz without pickles; MachineError where it cannot be written."""
         groups = ("poses", *self.meta["scenario"]["record"])
         names = [*MATCH, *(key for group in groups for key in GROUPS[group])]
-        kept = {key: self.arrays[key] for key in names if key in self.arrays}
-        if self.match is not None:
-            kept = {key: packed(key, array) for key, array in kept.items()}
         text = json.dumps(self.meta, allow_nan=False).encode()
-        kept["meta"] = np.frombuffer(text, np.uint8)
+        kept = {"meta": np.frombuffer(text, np.uint8)}
+        kept |= {key: self.arrays[key] for key in names if key in self.arrays}
+        pack = packed if self.match is not None else (lambda _, array: array)
         try:
-            with open(path, "wb") as file:
-                np.savez_compressed(file, allow_pickle=False, **kept)
+            with ZipFile(path, "w", ZIP_DEFLATED) as file:
+                for key, array in kept.items():  # one at a time: as packed they take much room
+                    with file.open(f"{key}.npy", "w", force_zip64=True) as entry:
+                        np.lib.format.write_array(entry, pack(key, array), allow_pickle=False)
         except OSError as error:
             raise MachineError(f"{path}: {error.strerror or error}") from error
 

@@ -16,7 +16,7 @@ BESIDE = {"cli", "render", "reproduce", "regress", "tune", "bundled", "bench.py"
 @cache
 def engine() -> str:
     """SHA-256 of all that may change how a match comes out, besides its own key."""
-    # what is 0 unless it is set: the order of texts in sets, see match/processes.py
+    # what is 0 unless it is set: the order of texts in sets, see processes.py
     texts = os.environ.get("PYTHONHASHSEED", "0")
     told = [__version__, fingerprint(), texts, sources()]
     return hashlib.sha256(json.dumps(told, sort_keys=True).encode()).hexdigest()

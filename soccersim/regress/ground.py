@@ -9,8 +9,8 @@ from pathlib import Path
 from tempfile import mkdtemp
 from threading import Event, Lock
 
-from soccersim.match.processes import Process
 from soccersim.match.supervise import CHILD
+from soccersim.processes import Process
 from soccersim.regress.reused import Reused
 from soccersim.regress.warm import CAN_FORK, Warm
 
@@ -33,7 +33,7 @@ class Ground:
 
     @property
     def begin(self) -> Callable[..., Process]:
-        """Starts a process, as match/processes.py does."""
+        """Starts a process, as processes.py does."""
         return self._source.begin
 
     def start(self) -> None:

@@ -17,7 +17,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import NoReturn
 
-from soccersim.match.processes import end_group
+from soccersim.processes import end_group
 from soccersim.regress.warm import NUMBER
 
 DEATH_SIGNAL, SUBREAPER = 1, 36  # of prctl

@@ -10,15 +10,15 @@ from subprocess import DEVNULL, PIPE
 from threading import Event, Lock, Thread
 from typing import IO, Any
 
-from soccersim.match.processes import Process, end, start
 from soccersim.problems import MachineError
+from soccersim.processes import Process, end, start
 
 WORKER = "soccersim.regress.worker"
 TRIES = 3  # workers that may end before they begin
 
 
 class Reused:
-    """Starts processes as match/processes.py does, or takes one that is free."""
+    """Starts processes as processes.py does, or takes one that is free."""
 
     def __init__(self) -> None:
         self._lock = Lock()

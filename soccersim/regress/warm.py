@@ -17,9 +17,9 @@ from subprocess import DEVNULL
 from threading import Lock
 from typing import IO, Any
 
-from soccersim.match.processes import Process, end, start
 from soccersim.match.stopwatch import STALL
 from soccersim.problems import MachineError, one_line
+from soccersim.processes import Process, end, start
 
 CAN_FORK = hasattr(os, "fork") and hasattr(os, "waitid") and sys.platform != "darwin"
 NUMBER = struct.Struct("<i")  # what a keeper tells: first the process's id, then its exit code
@@ -59,7 +59,7 @@ class Forked:
 
 
 class Warm:
-    """Starts processes as match/processes.py does, but warm ones. Threads may share it."""
+    """Starts processes as processes.py does, but warm ones. Threads may share it."""
 
     def __init__(self, folder: Path, scenario: str) -> None:
         """folder: of this run alone, removed when it ends; scenario: JSON of a match to load for.

@@ -10,17 +10,14 @@ from pathlib import Path
 from queue import SimpleQueue
 
 from soccersim.match.child import TRACE, TURN, Document, answer
-from soccersim.match.processes import end_group
 from soccersim.match.traces import keep_traces
 from soccersim.match.turn import Turn, read_turn
+from soccersim.processes import end_group, take_pipes
 
 
 def main() -> None:
     """What the process does."""
-    source, sink = os.dup(0), os.dup(1)
-    nothing = os.open(os.devnull, os.O_RDWR)
-    for number in (0, 1):
-        os.dup2(nothing, number)
+    source, sink = take_pipes()
     asked: SimpleQueue[str] = SimpleQueue()
     state: list[mmap] = []
     threading.Thread(target=listen, args=(source, asked, state), daemon=True).start()

@@ -1,13 +1,15 @@
 """Where the opponents leave a gap: in the goal, on the way of a pass, round a player."""
 
 from collections.abc import Iterable
-from math import atan2, hypot, inf
+from math import atan2, hypot, inf, tan
 
 from soccersim.strategy.api import Player, View
 from soccersim.strategy.motion import towards, velocity, wrap
 from soccersim.strategy.rolling import kick_speed, kick_time, meeting
 
 POST = 0.25  # m from a post that nobody aims at: nobody shoots so exactly
+AWAY = 0.25  # m of open goal for each metre from where the robot looks
+SIDEWAYS = 1.2  # rad; looking farther aside, a robot looks at no part of the goal
 SIGHT = 0.05  # s that opponents' positions are carried on, at a shot
 REACH = 1.0  # m/s, at which an opponent closes a pass's way, after it has seen it
 REACTION = 0.2  # s
@@ -18,11 +20,12 @@ TURN = 0.3  # m of clear way that a radian less to turn is worth: it also keeps 
 SIGHTED = 4.0  # m of clear way that a radian of open goal is worth
 
 
-def free_goal(view: View, x: float, y: float) -> tuple[float, float]:
+def free_goal(view: View, x: float, y: float, heading: float | None = None) -> tuple[float, float]:
     """Where to aim from a point: y on the opponents' goal line, m, and the gap's half angle, rad.
 
     The widest part of the goal that no opponent covers; half angle 0 when there is none, and the
-    y is then the middle of the goal.
+    y is then the middle of the goal. heading: of who shoots; of parts about as wide he takes the
+    one that he looks at already, lest he turn to and fro.
     """
     field = view.field
     goal_x, half = field.length / 2.0, field.goal_width / 2.0 - POST
@@ -40,11 +43,17 @@ def free_goal(view: View, x: float, y: float) -> tuple[float, float]:
             wide *= hypot(middle - y, far) / far
             covered.append((middle - wide, middle + wide))
     covered.sort()
+    looks_at = None
+    if heading is not None and abs(heading) < SIDEWAYS:
+        looks_at = y + far * tan(heading)
     best, free_from, low, high = 0.0, -half, 0.0, 0.0
     for start, end in [*covered, (half, half)]:
         gap = min(start, half) - free_from
-        if gap > best:
-            best, low, high = gap, free_from, free_from + gap
+        worth = gap
+        if looks_at is not None and gap > 0.0:
+            worth = max(gap - AWAY * abs(free_from + gap / 2.0 - looks_at), 0.1 * gap)
+        if worth > best:
+            best, low, high = worth, free_from, free_from + gap
         free_from = max(free_from, end)
         if free_from >= half:
             break
@@ -128,11 +137,16 @@ def quickest(view: View, players: Iterable[Player]) -> Player | None:
     ball = view.ball
     if ball is None:
         return None
-    first, found = inf, None
-    for player in players:
-        if player.has_ball and player.in_play:
+    playing = [player for player in players if player.in_play]
+    for player in playing:
+        if player.has_ball:
             return player
-        if player.in_play:
+    far = {player.number: hypot(player.x - ball.x, player.y - ball.y) for player in playing}
+    rolls = hypot(ball.vx, ball.vy)
+    first, found = inf, None
+    for player in sorted(playing, key=lambda player: far[player.number]):
+        reach = player.body.radius + view.field.ball_radius
+        if far[player.number] - reach < first * (player.body.speed + rolls):  # else never sooner
             seconds = meeting(view.field, ball, player)[2]
             if seconds < first:
                 first, found = seconds, player

@@ -2,7 +2,7 @@
 
 from math import hypot
 
-from soccersim.strategy.api import Phase, Player, View
+from soccersim.strategy.api import Phase, View
 
 BESIDE = 0.55  # m from a robot's centre to a ball that it may have: it touches, or nearly
 

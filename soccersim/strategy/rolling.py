@@ -1,12 +1,14 @@
 """Where a ball will be, how hard to kick it, and where a robot meets it."""
 
+from collections.abc import Callable
 from math import hypot, sqrt
 
 from soccersim.strategy.api import Ball, Pitch, Player
-from soccersim.strategy.motion import LAG, time_to, velocity
+from soccersim.strategy.motion import LAG, time_from, velocity
 
 SHELL = 2.0 / 3.0  # moment of inertia of a hollow ball over m r2
 SOON = 0.04  # s, one decision: so exact is the moment of a meeting
+LYING = 0.05  # m/s, of a ball that will be where it is
 STEPS = 14  # at most, towards that moment
 BOLDEST = 0.4  # of the surest rate: bolder steps pass over a moment at which a fast ball is met
 
@@ -56,12 +58,17 @@ def meeting(field: Pitch, ball: Ball, player: Player) -> tuple[float, float, flo
 
     Where the ball runs out of the field before, the place where it does.
     """
+    needed = reaching(player, player.body.radius + field.ball_radius)
     speed = hypot(ball.vx, ball.vy)
-    reach = player.body.radius + field.ball_radius
     fastest = rate = 1.0 + speed / player.body.speed  # at which the two can close up
     early, t, x, y = 0.0, 0.0, ball.x, ball.y
-    met: tuple[float, float, float] | None = None
-    late = reaching(player, x, y, reach)
+    late = needed(x, y)
+    if speed < LYING:
+        return x, y, late
+    met = passing(field, ball, *resting(player))  # at the latest, if it is in time for that
+    if met and needed(met[0], met[1]) > met[2]:
+        met = None
+    most_x, most_y = field.length / 2.0, field.width / 2.0
     for _ in range(STEPS):
         before, was = t, late
         if late <= SOON:
@@ -75,29 +82,58 @@ def meeting(field: Pitch, ball: Ball, player: Player) -> tuple[float, float, flo
             if met and t >= met[2]:
                 t = (early + met[2]) / 2.0
         x, y = ball_at(field, ball, t)
-        if field.rules.lines and not field_has(field, x, y):
-            return *last_inside(field, ball, x, y), t
-        late = reaching(player, x, y, reach) - t
+        if not (-most_x <= x <= most_x and -most_y <= y <= most_y) and field.rules.lines:
+            x, y = last_inside(field, ball, x, y)
+            return x, y, max(t, needed(x, y))
+        late = needed(x, y) - t
         if t > before:  # the next step goes on as this one went (secant)
             rate = min(max((was - late) / (t - before), BOLDEST * fastest), fastest)
     return met or (x, y, t)
 
 
-def reaching(player: Player, x: float, y: float, reach: float) -> float:
-    """Seconds until a robot's mouth can be at a point; none if it comes to rest there anyway."""
+def reaching(player: Player, reach: float) -> Callable[[float, float], float]:
+    """Tells of a point how many seconds it takes until a robot's mouth can be there, at rest.
+
+    None, if the robot comes to rest there anyway.
+    """
+    px, py = player.x, player.y
+    a, top = player.body.acceleration, player.body.speed
     vx, vy = velocity(player)
-    rest = hypot(vx, vy) / (2.0 * player.body.acceleration) + LAG
-    if hypot(x - player.x - rest * vx, y - player.y - rest * vy) <= reach:
-        return 0.0
-    far = hypot(x - player.x, y - player.y)
-    keep = max(far - reach, 0.0) / far if far > 0 else 0.0
-    there = player.x + keep * (x - player.x), player.y + keep * (y - player.y)
-    return time_to(player, *there) + LAG
+    rest_x, rest_y = resting(player)
+
+    def needed(x: float, y: float) -> float:
+        if hypot(x - rest_x, y - rest_y) <= reach:
+            return 0.0
+        dx, dy = x - px, y - py
+        far = hypot(dx, dy)
+        if far <= reach:
+            return LAG
+        return LAG + time_from(far - reach, (vx * dx + vy * dy) / far, a, top)
+
+    return needed
 
 
 def field_has(field: Pitch, x: float, y: float) -> bool:
     """Whether a place lies within the lines."""
     return abs(x) <= field.length / 2.0 and abs(y) <= field.width / 2.0
+
+
+def resting(player: Player) -> tuple[float, float]:
+    """Where a robot comes to rest that brakes now."""
+    vx, vy = velocity(player)
+    stops = hypot(vx, vy) / (2.0 * player.body.acceleration) + LAG
+    return player.x + stops * vx, player.y + stops * vy
+
+
+def passing(field: Pitch, ball: Ball, x: float, y: float) -> tuple[float, float, float] | None:
+    """Where and when a rolling ball passes a place: x, y, s; None: it never does."""
+    speed = hypot(ball.vx, ball.vy)
+    ux, uy = ball.vx / speed, ball.vy / speed
+    far = (x - ball.x) * ux + (y - ball.y) * uy
+    left = speed * speed - 2.0 * field.ball_rolling * far
+    if far <= 0.0 or left < 0.0:
+        return None
+    return ball.x + far * ux, ball.y + far * uy, 2.0 * far / (speed + sqrt(left))
 
 
 def last_inside(field: Pitch, ball: Ball, x: float, y: float) -> tuple[float, float]:

@@ -11,6 +11,7 @@ from soccersim.strategy.api import Command, Player, View
 from soccersim.strategy.motion import (
     distance,
     drive_to,
+    since_report,
     time_to,
     towards,
     turn_to,
@@ -67,7 +68,7 @@ CARRY_TURN = 3.5  # rad/s with the ball; turned faster, it leaves the mouth
 AT_MOUTH = 0.6  # m of air to the ball, from which the dribbler runs
 TRIGGER = 0.025  # s from a view to the kick that it leads to; the heading must be right then
 SURE, FINE = 0.15, 0.02  # rad, the widest and the finest error of heading with which a robot kicks
-HIT = 0.3  # m, by which a pass may miss its mate
+HIT = 0.2  # m, by which a pass may miss its mate
 JITTER = 0.03  # s, by which a kick may come sooner or later than thought
 SHOT = 0.8  # m/s; a ball that comes faster towards the goal is stopped on its way
 
@@ -106,17 +107,17 @@ def kick_at(view: View, player: Player, x: float, y: float, speed: float, sure: 
         return intercept(view, player, (x, y))
     dx, dy = x - player.x, y - player.y
     far = hypot(dx, dy) or 1.0
+    heading = atan2(dy, dx)
+    asked = turn_to(player, heading, CARRY_TURN)
+    looks, omega = since_report(player, asked)
     vx, vy = velocity(player)
     along, across = (dx * vx + dy * vy) / far, (dx * vy - dy * vx) / far
-    across += player.omega * (player.body.radius + view.field.ball_radius)
+    across += omega * (player.body.radius + view.field.ball_radius)
     speed = min(max(speed - along, 0.5), player.body.kick_speed)
-    heading = atan2(dy, dx)
     beside = asin(min(max(across / speed, -0.5), 0.5))
-    off = wrap(heading - beside - player.heading - player.omega * TRIGGER)
-    sure = min(max(sure, FINE), SURE)
-    ready = abs(off) + JITTER * abs(player.omega) < sure
-    omega = turn_to(player, heading, CARRY_TURN)
-    return Command(omega=omega, kick=speed if ready else 0.0, dribble=True)
+    off = wrap(heading - beside - looks - omega * TRIGGER)
+    ready = abs(off) + JITTER * abs(omega) < min(max(sure, FINE), SURE)
+    return Command(omega=asked, kick=speed if ready else 0.0, dribble=True)
 
 
 def shoot(view: View, player: Player, speed: float | None = None) -> Command:
@@ -128,9 +129,9 @@ def shoot(view: View, player: Player, speed: float | None = None) -> Command:
     if ball is None:
         return Command()
     x, y = (player.x, player.y) if player.has_ball else (ball.x, ball.y)
-    aim, sure = free_goal(view, x, y)
+    aim, sure = free_goal(view, x, y, player.heading)
     hard = player.body.kick_speed if speed is None else speed
-    return kick_at(view, player, view.field.length / 2.0, aim, hard, 0.4 * sure)
+    return kick_at(view, player, view.field.length / 2.0, aim, hard, 0.6 * sure)
 
 
 def pass_to(view: View, player: Player, mate: Player, arrive: float = RECEIVE) -> Command:

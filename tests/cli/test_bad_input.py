@@ -200,12 +200,10 @@ def test_all_faults_of_a_file_are_told_at_once_in_its_order(soccersim, scenario)
 def test_a_fault_in_a_models_own_file_is_told_at_its_place_there(soccersim, scenario, tmp_path):
     scenario(("model: garcia", "model: ./mine.yaml"))
     (tmp_path / "mine.yaml").write_text(BAD_MODEL)
-    known = "`about`, `mass`, `inertia`, `radius`, `mass_height`, `load_transfer`, `elasticity`, "
-    known += "`drive`, `dead`, `gyro`, `odometry`, `control`"
     refused(
         soccersim("run", "./two.yaml"),
         'mine.yaml:1:7: robots.0.model.mass: must be a number, not the text "heavy"',
-        f"mine.yaml:3:1: robots.0.model.spoon: unknown key; known: {known}",
+        "mine.yaml:3:1: robots.0.model.spoon: unknown key",  # too many to list what is known
     )
     (tmp_path / "mine.yaml").write_text("mass: [\n")
     refused(

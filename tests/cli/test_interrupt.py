@@ -118,8 +118,7 @@ class Lost:
     "more",
     [
         pytest.param((), id="one"),
-        # slow: on a machine with other work it once and again took more than its minute
-        pytest.param(("--runs", "50", "--jobs", "2"), id="workers", marks=pytest.mark.slow),
+        pytest.param(("--runs", "50", "--jobs", "2"), id="workers"),
     ],
 )
 def test_a_terminals_ctrl_c_ends_all_processes_at_once_in_one_line(compiled, tmp_path, more):

@@ -290,3 +290,5 @@ def test_where_no_team_can_be_apart_the_second_try_is_like_the_first(match, monk
     assert fault(outcome) == ("away", "exit", 40)
     assert outcome.score == (3, 0)
     assert outcome.digest == ""
+    with pytest.raises(InputError, match="--isolate team needs a POSIX system"):
+        match(isolate="team")

@@ -1,7 +1,7 @@
 """Fouls, and a ball that gets nowhere."""
 
 import pytest
-from rig import Rig, scenario
+from whistle import Rig, scenario
 
 from soccersim.referee.phases import Phase
 

@@ -3,8 +3,8 @@
 from math import hypot, isfinite
 
 import pytest
-from rig import Rig, scenario
 from walk import Walk
+from whistle import Rig, scenario
 
 from soccersim.referee.phases import Phase
 
@@ -95,7 +95,7 @@ def test_polite_wanderers_meet_most_rules():
     met = set()
     quick = {"stop_time": 0.2, "restart_time": 0.5, "kick_off_time": 0.5, "play_time": 0.5}
     for seed in range(4):
-        rig = Rig(scenario("msl-match", {"duration": 300.0}, FAILURES, **quick))
+        rig = Rig(scenario("msl-match", {"duration": 300.0}, FAILURES, **quick, pushing=0.1))
         rig.run(300.1, Walk(rig, seed, polite=True))
         met |= set(rig.kinds)
     assert met >= {"goal", "no_goal", "out", "pushing", "dribbling", "area"}

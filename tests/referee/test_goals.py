@@ -1,7 +1,7 @@
 """Which goals count: after a pass, from the opponents' half, by more than one robot."""
 
 import pytest
-from rig import Rig
+from whistle import Rig
 
 from soccersim.referee.phases import Phase
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from rig import Rig, scenario
+from whistle import Rig, scenario
 
 from soccersim.referee.phases import Phase
 

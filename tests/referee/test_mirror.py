@@ -5,8 +5,8 @@ from math import cos, sin
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from rig import Rig, scenario
 from walk import Walk
+from whistle import Rig, scenario
 
 CHANGES = {"duration": 16.0}
 FAILURES = {"failures": [{"robot": "home-2", "time": 5.0}, {"robot": "away-4", "time": 6.0}]}

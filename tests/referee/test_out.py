@@ -1,7 +1,7 @@
 """The ball over the lines: whole ball, and who goes on where."""
 
 import pytest
-from rig import Rig, scenario
+from whistle import Rig, scenario
 
 from soccersim.referee.phases import Phase
 

@@ -1,7 +1,7 @@
 """Phases stand in one table, and every phase leads on."""
 
 import pytest
-from rig import Rig, scenario
+from whistle import Rig, scenario
 
 from soccersim.referee.phases import RESTARTS, RULES, TRANSITIONS, Cue, Phase
 from soccersim.sheet import PHASES

@@ -3,7 +3,7 @@
 from itertools import pairwise
 
 import pytest
-from rig import Rig, scenario
+from whistle import Rig, scenario
 
 from soccersim.referee.phases import Phase
 

@@ -1,7 +1,7 @@
 """STOP, signal, START, in play: who stands where, and how a restart is taken."""
 
 import pytest
-from rig import Rig, scenario
+from whistle import Rig, scenario
 
 from soccersim.referee.phases import Phase
 

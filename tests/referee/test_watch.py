@@ -1,7 +1,7 @@
 """What is seen every tick: touches in order, who had the ball before, contacts of opponents."""
 
 import pytest
-from rig import Rig
+from whistle import Rig
 
 from soccersim.referee.phases import Phase
 from soccersim.referee.touches import Touches

@@ -53,7 +53,7 @@ def legs(friendly, team):
     """The legs of so many pairs."""
 
     def make(pairs=3, first=None, second=None, **more):
-        teams = first or team(), second or team("return fine  # another", "other.py")
+        teams = first or team(), second or team("return fine[::-1]", "other.py")
         return [
             leg
             for number in range(pairs)

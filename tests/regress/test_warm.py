@@ -11,8 +11,9 @@ from pathlib import Path
 import pytest
 from living import descendants, has_ended_soon, lives
 
-from soccersim.match.processes import end, has_ended, how_ended, start
+from soccersim.match.endings import how_ended
 from soccersim.problems import MachineError
+from soccersim.processes import end, has_ended, start
 from soccersim.regress import warm as warms
 from soccersim.regress.warm import CAN_FORK, Warm
 

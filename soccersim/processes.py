@@ -1,4 +1,4 @@
-"""Processes in groups of their own, so that nothing they start outlives them."""
+"""Python processes in groups of their own: they hear no Ctrl-C, and leave nobody behind."""
 
 import json
 import os
@@ -9,16 +9,12 @@ from collections.abc import Sequence
 from contextlib import suppress
 from typing import IO, Any, Protocol
 
-from soccersim.match.faults import CRASH, EXIT, MEMORY
-
 # as `python -m MODULE`, with our own sys.path; -P: no module of the working folder slips in
 BOOT = """\
 import sys, json, importlib
 sys.path[:] = json.loads(sys.argv[1])
 importlib.import_module(sys.argv[2]).main(*sys.argv[3:])
 """
-BURIAL = 1.0  # s that a process may take to end once its pipe is closed
-FULL = 77  # exit code of a team's process whose memory is full
 
 
 class Process(Protocol):
@@ -45,8 +41,8 @@ class Process(Protocol):
         """Bury it as soon as it ends; its exit code."""
 
 
-def start(module: str, arguments: Sequence[str], **pipes: Any) -> Process:
-    """A Python process that runs MODULE.main(*arguments); it hears no Ctrl-C of the terminal."""
+def start(module: str, arguments: Sequence[str] = (), **pipes: Any) -> Process:
+    """A process that runs MODULE.main(*arguments); its standard input is a pipe."""
     path = json.dumps([entry for entry in sys.path if isinstance(entry, str)])
     words = [sys.executable, "-u", "-P", "-c", BOOT, path, module, *arguments]
     # texts in sets in the same order each time, also for strategies that iterate over them
@@ -54,6 +50,19 @@ def start(module: str, arguments: Sequence[str], **pipes: Any) -> Process:
     return subprocess.Popen(
         words, bufsize=0, env=environment, stdin=subprocess.PIPE, start_new_session=True, **pipes
     )
+
+
+def take_pipes() -> tuple[int, int]:
+    """In such a process: its input and output, where no print gets into them.
+
+    What is read from standard input from now on is empty, what is printed goes to standard error.
+    """
+    source, sink = os.dup(0), os.dup(1)
+    nothing = os.open(os.devnull, os.O_RDONLY)
+    os.dup2(nothing, 0)
+    os.close(nothing)
+    os.dup2(2, 1)
+    return source, sink
 
 
 def has_ended(process: Process) -> bool:
@@ -87,17 +96,3 @@ def end(process: Process) -> int:
         with suppress(OSError):
             process.stdin.close()
     return code
-
-
-def how_ended(code: int) -> tuple[str, str]:
-    """The kind of fault that an end with this exit code is, and its words."""
-    if code == FULL:
-        return MEMORY, "its memory is full"
-    if code >= 0:
-        return EXIT, f"its process ended with exit code {code}"
-    try:
-        name = signal.Signals(-code).name
-    except ValueError:
-        name = f"signal {-code}"
-    full = ", as a system does whose memory is full" if name == "SIGKILL" else ""
-    return CRASH, f"its process was killed by {name}{full}"
