@@ -10,6 +10,7 @@ import shutil
 import signal
 import socket
 from contextlib import suppress
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -26,6 +27,7 @@ def main(number: str, folder: str) -> None:
         for name in THREADS:
             os.environ.setdefault(name, "1")
         document, _ = receive(asked)
+        import_module(document["module"])
         if document["scenario"]:
             load(document["scenario"], Path(folder))
         gc.collect()

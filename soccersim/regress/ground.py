@@ -29,7 +29,7 @@ class Ground:
         self.folder = Path(mkdtemp(prefix=f"{PREFIX}{os.getpid()}-")).absolute()
         self.child = child
         self.stopping = Event()  # set: no match is wanted any more
-        self._source = Warm(self.folder, scenario) if fork else Reused()
+        self._source = Warm(self.folder, child, scenario) if fork else Reused()
 
     @property
     def begin(self) -> Callable[..., Process]:

@@ -61,12 +61,13 @@ class Forked:
 class Warm:
     """Starts processes as processes.py does, but warm ones. Threads may share it."""
 
-    def __init__(self, folder: Path, scenario: str) -> None:
-        """folder: of this run alone, removed when it ends; scenario: JSON of a match to load for.
+    def __init__(self, folder: Path, module: str, scenario: str) -> None:
+        """folder: of this run alone, removed when it ends.
 
-        With "" nothing is loaded ahead.
+        The module is imported ahead, and all loaded for a match of this scenario (JSON) if it is
+        not "".
         """
-        self.folder, self.scenario = folder, scenario
+        self.folder, self.module, self.scenario = folder, module, scenario
         self._lock = Lock()
         self._server: Process | None = None
         self._socket: socket.socket | None = None
@@ -102,7 +103,7 @@ class Warm:
             )
         self._socket = ours
         try:
-            send(ours, {"scenario": self.scenario})
+            send(ours, {"module": self.module, "scenario": self.scenario})
             ours.settimeout(STALL)
             if not ours.recv(1):
                 raise ConnectionError

@@ -9,6 +9,8 @@ import sys  # noqa: F401
 import threading  # noqa: F401
 import time  # noqa: F401
 
+import numpy  # noqa: F401
+
 
 def main(code):
     exec(code, globals())

@@ -26,7 +26,7 @@ def warm(tmp_path):
     """A server that has nothing to load; whatever it has started has ended when it is closed."""
     folder = tmp_path / "run"
     folder.mkdir()
-    server = Warm(folder, "")
+    server = Warm(folder, "doings", "")
     yield server
     pids = descendants(server._server.pid) if server._server else []
     server.close()
@@ -75,7 +75,8 @@ def test_it_ends_and_prints_as_a_cold_one_does(warm, code):
 
 
 def test_chance_that_no_one_has_seeded_is_another_in_each(warm):
-    assert len({run(warm.begin, "print(random.random())") for _ in range(3)}) == 3
+    code = "print(random.random(), numpy.random.rand())"
+    assert len({run(warm.begin, code) for _ in range(3)}) == 3
 
 
 def test_what_it_leaves_behind_ends_with_it(warm, tmp_path):
@@ -141,7 +142,7 @@ def test_a_server_that_cannot_begin_is_the_machines_failure(warm, monkeypatch):
 
 
 def test_a_match_that_cannot_be_loaded_is_told(tmp_path):
-    server = Warm(tmp_path, '{"version": 99}')
+    server = Warm(tmp_path, "doings", '{"version": 99}')
     with pytest.raises(MachineError, match="no process can be started"):
         server.start()
 
@@ -151,7 +152,7 @@ import sys, time
 sys.path.insert(0, sys.argv[1])
 from pathlib import Path
 from soccersim.regress.warm import Warm
-warm = Warm(Path(sys.argv[2]), "")
+warm = Warm(Path(sys.argv[2]), "doings", "")
 processes = [warm.begin("doings", ["os.system('sleep 99')"]) for _ in range(3)]
 print("ready", flush=True)
 time.sleep(99)
