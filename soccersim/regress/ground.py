@@ -1,20 +1,23 @@
 """Where matches are played on this machine: processes for them, and a folder for their files."""
 
 import atexit
-import os
 import shutil
+import sys
 import tempfile
+import time
 from collections.abc import Callable
 from pathlib import Path
 from tempfile import mkdtemp
 from threading import Event, Lock
+from typing import IO
 
 from soccersim.match.supervise import CHILD
 from soccersim.processes import Process
 from soccersim.regress.reused import Reused
 from soccersim.regress.warm import CAN_FORK, Warm
 
-PREFIX = "soccersim-run-"  # then the id of the process that has the folder
+PREFIX, LOCK = "soccersim-run-", "lock"
+YOUNG = 60.0  # s in which a folder may not be locked yet
 
 _own: list["Ground"] = []
 _lock = Lock()
@@ -26,7 +29,8 @@ class Ground:
     def __init__(self, scenario: str = "", child: str = CHILD, fork: bool = CAN_FORK) -> None:
         """scenario: a match, as JSON, to load all for; child: the module that a process runs."""
         tidy()
-        self.folder = Path(mkdtemp(prefix=f"{PREFIX}{os.getpid()}-")).absolute()
+        self.folder = Path(mkdtemp(prefix=PREFIX)).absolute()
+        self._lock = locked(self.folder / LOCK)
         self.child = child
         self.stopping = Event()  # set: no match is wanted any more
         self._source = Warm(self.folder, child, scenario) if fork else Reused()
@@ -44,6 +48,8 @@ class Ground:
         """End what is still played, and leave nothing."""
         self.stopping.set()
         self._source.close()
+        if self._lock:
+            self._lock.close()
         shutil.rmtree(self.folder, ignore_errors=True)
 
 
@@ -59,16 +65,28 @@ def own_ground(scenario: str) -> Ground:
     return _own[0]
 
 
+def locked(path: Path) -> IO[bytes] | None:
+    """The file, as long as it is open this process's alone; None where another one has it."""
+    file = open(path, "wb")  # noqa: SIM115
+    if sys.platform != "win32":
+        import fcntl
+
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            file.close()
+            return None
+    return file
+
+
 def tidy() -> None:
     """Take away the folders of runs that were killed together with all their processes."""
-    if os.name != "posix":
-        return
     for folder in Path(tempfile.gettempdir()).glob(f"{PREFIX}*"):
-        pid = folder.name.removeprefix(PREFIX).partition("-")[0]
         try:
-            if pid.isdecimal():
-                os.kill(int(pid), 0)
-        except ProcessLookupError:
-            shutil.rmtree(folder, ignore_errors=True)
-        except (OSError, OverflowError):
+            if sys.platform == "win32" or time.time() - folder.stat().st_mtime < YOUNG:
+                continue
+            if file := locked(folder / LOCK):
+                shutil.rmtree(folder, ignore_errors=True)
+                file.close()
+        except OSError:  # another one's, or gone
             continue

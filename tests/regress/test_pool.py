@@ -3,6 +3,8 @@
 The matches are quick ones (quick.py), but for the last.
 """
 
+import os
+import shutil
 import time
 from dataclasses import replace
 from pathlib import Path
@@ -126,7 +128,7 @@ def test_who_has_seen_enough_ends_what_still_runs_at_once(legs, pool, store, tea
         first = time.monotonic() - start
         rows = run(asked, store, local)
         next(rows)
-        mine = descendants(__import__("os").getpid())
+        mine = descendants(os.getpid())
         assert mine
         rows.close()
         start = time.monotonic()
@@ -176,14 +178,18 @@ def test_a_damaged_bundle_is_refused(legs, pool, store):
         list(run([replace(leg, home=Bundle("broken", b"")) for leg in legs(1)], store, local))
 
 
-def test_folders_of_runs_that_were_killed_are_taken_away(pool, tmp_path):
-    ended = tmp_path / "tmp" / "soccersim-run-999999999-x"
-    (ended / "leg").mkdir(parents=True)
-    running = tmp_path / "tmp" / "soccersim-run-1-x"
-    running.mkdir()
-    with pool():
-        assert not ended.exists()
-    running.rmdir()
+def test_folders_of_runs_that_were_killed_are_taken_away_and_no_others(pool, tmp_path):
+    ended, young = (tmp_path / "tmp" / f"soccersim-run-{name}" for name in ("ended", "young"))
+    for folder in (ended, young):
+        (folder / "leg").mkdir(parents=True)
+    with pool() as local:
+        for folder in (ended, local.ground.folder):
+            os.utime(folder, (1e9, 1e9))
+        with pool():
+            assert not ended.exists()
+            assert young.exists()
+            assert local.ground.folder.exists()
+    shutil.rmtree(young)
 
 
 def test_a_warm_match_is_the_match_that_any_process_plays(store):

@@ -11,7 +11,9 @@ from pathlib import Path
 import pytest
 from living import descendants, has_ended_soon, lives
 
+from soccersim.match.child import REQUEST, TURN
 from soccersim.match.endings import how_ended
+from soccersim.match.turn import Turn
 from soccersim.problems import MachineError
 from soccersim.processes import end, has_ended, start
 from soccersim.regress import warm as warms
@@ -151,22 +153,31 @@ ASKER = """\
 import sys, time
 sys.path.insert(0, sys.argv[1])
 from pathlib import Path
+from soccersim.regress.reused import Reused
 from soccersim.regress.warm import Warm
-warm = Warm(Path(sys.argv[2]), "doings", "")
-processes = [warm.begin("doings", ["os.system('sleep 99')"]) for _ in range(3)]
+folder = Path(sys.argv[2])
+source = Warm(folder, "doings", "") if sys.argv[3] == "forked" else Reused()
+codes = ["os.system('sleep 99')"] if sys.argv[3] == "forked" else [str(folder)]
+processes = [source.begin("doings", codes) for _ in range(3)]
+while len(list(folder.glob("begun*"))) < (0 if sys.argv[3] == "forked" else 3):
+    time.sleep(0.01)
 print("ready", flush=True)
 time.sleep(99)
 """
 
 
-def test_all_end_with_the_one_who_asked_and_the_folder_is_taken_away(tmp_path):
+@pytest.mark.parametrize(("how", "processes"), [("forked", 7), ("reused", 6)])
+def test_all_end_with_the_one_who_asked(tmp_path, how, processes):
     (tmp_path / "run").mkdir()
-    words = [sys.executable, "-c", ASKER, HERE, str(tmp_path / "run")]
+    (tmp_path / "run" / TURN).write_bytes(bytes(Turn().buffer))
+    (tmp_path / "run" / REQUEST).write_text("{}")
+    words = [sys.executable, "-c", ASKER, HERE, str(tmp_path / "run"), how]
     asker = subprocess.Popen(words, stdout=subprocess.PIPE)
     assert asker.stdout.readline() == b"ready\n"
     pids = descendants(asker.pid)
-    assert len(pids) >= 7
+    assert len(pids) >= processes
     asker.kill()
     asker.communicate()
     assert has_ended_soon(*pids)
-    assert not (tmp_path / "run").exists()
+    if how == "forked":  # the server takes the folder away
+        assert not (tmp_path / "run").exists()
