@@ -21,6 +21,7 @@ from soccersim.regress.row import Row
 from soccersim.regress.store import Store
 
 TRIES = 5  # of a leg that the machine fails to play
+KILLS = 3  # times alone that a team's process has to be killed before the team is blamed
 PAUSE = 0.2  # s before it is tried again; longer each time
 LONGEST = 5.0
 AHEAD = 4  # times as many legs as are played at a time: so far beyond the first that is missing
@@ -140,7 +141,7 @@ class Runner:
                 self.store.add(row)
         elif row and played.doubt and not task.alone:
             self._retry(task, played.doubt)
-        elif task.tries + 1 < TRIES and (row is None or was_killed(row)):
+        elif task.tries + 1 < most_tries(row):
             task.tries += 1
             self._retry(task, played.doubt)
         elif failure:
@@ -174,8 +175,13 @@ class Runner:
             self.whole += 1
 
 
-def was_killed(row: Row) -> bool:
-    """Whether a team's process was killed from outside, or so it seems: by a system whose memory
-    is full, by the administrator, or by the team itself.
+def most_tries(row: Row | None) -> int:
+    """How often a match that came to this is played before that counts.
+
+    A team whose process was killed may have had no part in it: a system whose memory is full does
+    so too.
     """
-    return any(fault["kind"] == CRASH and "SIGKILL" in fault["detail"] for fault in row.faults)
+    if row is None:
+        return TRIES
+    killed = any(fault["kind"] == CRASH and "SIGKILL" in fault["detail"] for fault in row.faults)
+    return KILLS if killed else 1
