@@ -9,7 +9,6 @@ BRAKING = 0.8  # of its acceleration a robot plans to brake with: the rest corre
 TURNING = 0.8  # the same of its turning
 GAIN = 3.5  # 1/s, near the goal; the delays allow no more
 TURN_GAIN = 5.0  # 1/s; from 6.5 on robots swing to and fro for ever, as their reports are 80 ms old
-AHEAD = 0.3  # m, what a robot steers for at least while it only passes a point
 
 
 def wrap(angle: float) -> float:
@@ -81,8 +80,6 @@ def drive_to(
     body = player.body
     most = body.speed if speed is None else min(speed, body.speed)
     vx, vy = velocity(player)
-    if beyond > 0:
-        x, y = passed(player, x, y)
     dx = x - player.x - LAG * (vx - run[0])
     dy = y - player.y - LAG * (vy - run[1])
     far = hypot(dx, dy)
@@ -95,14 +92,6 @@ def drive_to(
     at = player.heading + player.omega * LAG  # as it will stand when it moves like this
     c, s = cos(at), sin(at)
     return c * wx + s * wy, c * wy - s * wx, omega
-
-
-def passed(player: Player, x: float, y: float) -> tuple[float, float]:
-    """A point to pass, or one behind it in line: nearer than AHEAD, a robot would hunt for it."""
-    dx, dy = x - player.x, y - player.y
-    far = hypot(dx, dy)
-    part = max(AHEAD / far, 1.0) if far > 0 else 1.0
-    return player.x + part * dx, player.y + part * dy
 
 
 def time_to(player: Player, x: float, y: float, *, stop: bool = True) -> float:

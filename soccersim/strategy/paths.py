@@ -4,15 +4,17 @@ from collections.abc import Sequence
 from math import asin, atan2, cos, hypot, pi, sin, sqrt
 
 from soccersim.strategy.api import Player, View
-from soccersim.strategy.motion import AHEAD, BRAKING, velocity
+from soccersim.strategy.motion import BRAKING, velocity
 
 MARGIN = 0.12  # m of air between two robots
 FORESIGHT = 0.5  # s at most that others are expected to go on as they go
 TRIES = 4  # obstacles one behind the other
 SWAY = 0.1  # rad per m/s: a robot under way to one side keeps to that side
 DRIFT = 0.08  # m that a robot may be carried beyond a corner of its way
+AHEAD = 0.3  # m, at least, to the next point of a way round something: nearer, robots hunt for it
 OUTWARDS = 1.0  # rad off the edge of a disc, for a robot at its centre
 VERGE = 0.3  # m outside the lines that a way may lead
+BOARD = 0.3  # m that a robot's centre keeps from the boards
 
 Disc = tuple[float, float, float]  # x, y, radius to keep the robot's centre away by; m
 Point = tuple[float, float]
@@ -85,7 +87,7 @@ def next_point(
         left, right = edges(start, target, crowd)
         if not side:
             side = 1.0 if left[0] - sway < sway - right[0] else -1.0
-            if not on_field(view, spot(start, target, left if side > 0 else right)):
+            if not may_pass(view, spot(start, target, left if side > 0 else right), target):
                 side = -side
         point = spot(start, target, left if side > 0 else right)
         disc = first_in_the_way(start, point, rest)
@@ -160,10 +162,16 @@ def spot(start: Point, target: Point, edge: tuple[float, float]) -> Point:
     return start[0] + c * dx - s * dy, start[1] + s * dx + c * dy
 
 
-def on_field(view: View, point: Point) -> bool:
-    """Whether a place is on the field, or hardly outside."""
+def may_pass(view: View, point: Point, target: Point) -> bool:
+    """Whether a way may lead by a place: on the field, or to a target outside, on the floor."""
+    verge = VERGE if on_field(view, target, VERGE / 2.0) else view.field.border - BOARD
+    return on_field(view, point, verge)
+
+
+def on_field(view: View, point: Point, verge: float) -> bool:
+    """Whether a place is on the field, or so far outside."""
     field = view.field
-    return abs(point[0]) < field.length / 2.0 + VERGE and abs(point[1]) < field.width / 2.0 + VERGE
+    return abs(point[0]) < field.length / 2.0 + verge and abs(point[1]) < field.width / 2.0 + verge
 
 
 def round_area(view: View, player: Player, x: float, y: float) -> tuple[float, float, float]:

@@ -9,6 +9,7 @@ from soccersim.strategy.moves import go_to
 ROOM = 0.3  # m more than the rules ask: nobody knows exactly where he is
 SLOW = 0.3  # m/s
 CAUTIOUS = 0.6  # of its acceleration the taker plans to brake with before the ball
+PAST = 0.1  # m of air to the ball, past which a robot comes out of a corner
 READY = 0.3  # m of air between the ball and the robot that waits to take it
 AROUND = tuple(side * step * pi / 8 for step in range(9) for side in (1, -1))  # rad
 
@@ -35,12 +36,14 @@ def keep_distance(
     if ball is None:
         return go_to(view, player, x, y)
     far = asked(view) if far is None else far
+    room = far - ROOM / 2
     off = hypot(player.x - ball.x, player.y - ball.y)
-    if off < 0.9 * far:  # out of there first, straight away from the ball
+    if off < 0.9 * far:  # out of there first, straight away from the ball, or past it
         x, y = away(view, player, (player.x, player.y), far)
+        room = player.body.radius + view.field.ball_radius + PAST
     elif hypot(x - ball.x, y - ball.y) < far:
         x, y = away(view, player, (x, y), far)
-    return go_to(view, player, x, y, keep_off=((ball.x, ball.y, far - ROOM / 2),))
+    return go_to(view, player, x, y, keep_off=((ball.x, ball.y, room),))
 
 
 def stand_ready(view: View, player: Player, x: float, y: float) -> Command:

@@ -76,6 +76,8 @@ WRONG = [
     ([object()], 1, "command 1 of decide() is an object, not a Command"),
     ([Command(math.nan)], 1, "vx of command 1 of decide() is nan: it must be a finite number"),
     ([Command(0, math.inf)], 1, "vy of command 1 of decide() is inf: it must be a finite number"),
+    ([Command(0.0, math.nan)], 1, "vy of command 1 of decide() is nan: it must be a finite number"),
+    ([Command(omega=-math.inf)], 1, "omega of command 1 of decide() is -inf: it must be a finite"),
     ([Command(kick=-math.inf)], 1, "kick of command 1 of decide() is -inf: it must be a finite"),
     ([Command(np.float32("nan"))], 1, "vx of command 1 of decide() is nan: it must be a finite"),
     ([FINE, Command(omega="1")], 2, 'omega of command 2 of decide() is the text "1", not a number'),

@@ -3,7 +3,7 @@
 from math import atan2, pi
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from soccersim.strategy import Ball, Opponent, Phase, Player, View, skills
@@ -37,6 +37,11 @@ def test_a_wall_leaves_nothing_and_then_the_middle_is_named():
     assert skills.free_goal(view(), 12, 0) == (0, 0)
 
 
+def test_who_is_behind_the_goal_covers_nothing():
+    assert skills.free_goal(view(Opponent(11.9, 0)), 5, 0) == skills.free_goal(view(), 5, 0)
+
+
+@settings(derandomize=True)
 @given(
     st.floats(-5, 10),
     st.floats(-6, 6),

@@ -132,7 +132,10 @@ def test_a_folder_without_init_is_a_package_too(file):
     assert decide(path) == "deep"
 
 
-def test_an_edit_within_the_same_second_is_seen_and_nothing_is_left_behind(file, tmp_path):
+def test_an_edit_within_the_same_second_is_seen_and_nothing_is_left_behind(
+    file, tmp_path, monkeypatch
+):
+    monkeypatch.setattr(sys, "dont_write_bytecode", False)
     assert decide(file(SIMPLE)) == "it"
     assert decide(file(SIMPLE.replace("it", "up"))) == "up"
     assert [path.name for path in tmp_path.iterdir()] == ["team.py"]

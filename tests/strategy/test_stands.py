@@ -16,7 +16,7 @@ PLAYED = {
 
 
 @given(st.floats(-8, 5), st.floats(-6, 6), st.floats(0.4, 3))
-@settings(max_examples=20)
+@settings(max_examples=20, derandomize=True)
 def test_a_keeper_stands_between_ball_and_goal(x, y, out):
     toy = Toy([Robot(-10, 0, 0, "keeper")], ball=(x, y))
     toy.play(4, lambda v: skills.block(v, v.robots[0], out))
@@ -71,6 +71,16 @@ def test_a_ball_that_passes_the_goal_or_stops_before_it_is_left_alone():
     assert skills.stop_shot(view, player) is not None
 
 
+def test_a_keeper_that_would_come_too_late_does_not_brake():
+    late = Player(1, -10.5, 0, pi / 2), Ball(-6, 0.9, -9, 0)
+    early = late[0], Ball(-6, 0.9, -2.5, 0)
+    speed = {}
+    for name, (player, ball) in (("late", late), ("early", early)):
+        command = skills.stop_shot(View(robots=(player,), ball=ball), player)
+        speed[name] = hypot(command.vx, command.vy)
+    assert speed["late"] > speed["early"] + 0.3
+
+
 def restart(phase, ours, robots, ball, seconds, mind, **more):
     toy = Toy(robots, ball=ball, phase=phase, ours=ours, started=False, **more)
     return toy.play(seconds, lambda v: mind(v, v.robots[0]))
@@ -84,7 +94,7 @@ DISTANCES = [
 
 
 @pytest.mark.parametrize(("phase", "ours", "asked"), DISTANCES)
-@settings(max_examples=15)
+@settings(max_examples=15, derandomize=True)
 @given(x=st.floats(-10, 10), y=st.floats(-6, 6), to=st.tuples(st.floats(-9, 9), st.floats(-6, 6)))
 def test_robots_keep_the_distance_that_the_rules_ask(phase, ours, asked, x, y, to):
     robot = Robot(2.0, 1.0)
@@ -166,6 +176,16 @@ def test_the_taker_stops_before_the_ball_though_its_aim_changes():
     for k in range(160):
         toy.play(0.04, lambda v, k=k: skills.stand_ready(v, v.robots[0], *aims[k // 12 % 4]))
     assert hypot(*toy.ball[:2]) == 0
+
+
+def test_a_taker_that_comes_fast_is_told_to_slow_down():
+    speed = {}
+    for vx in (0.0, 2.0):
+        player = Player(2, -1.4, 0, vx=vx)
+        view = View(robots=(player,), ball=Ball(0, 0))
+        command = skills.stand_ready(view, player, -5, 0)  # round to the other side
+        speed[vx] = hypot(command.vx, command.vy)
+    assert speed[2.0] < speed[0.0] - 0.1
 
 
 def test_a_restart_is_taken_without_pushing_the_ball_about():
