@@ -4,7 +4,6 @@ import atexit
 import shutil
 import sys
 import tempfile
-import time
 from collections.abc import Callable
 from pathlib import Path
 from tempfile import mkdtemp
@@ -16,8 +15,7 @@ from soccersim.processes import Process
 from soccersim.regress.reused import Reused
 from soccersim.regress.warm import CAN_FORK, Warm
 
-PREFIX, LOCK = "soccersim-run-", "lock"
-YOUNG = 60.0  # s in which a folder may not be locked yet
+NEW, PREFIX, LOCK = "soccersim-new-", "soccersim-run-", "lock"
 
 _own: list["Ground"] = []
 _lock = Lock()
@@ -29,8 +27,10 @@ class Ground:
     def __init__(self, scenario: str = "", child: str = CHILD, fork: bool = CAN_FORK) -> None:
         """scenario: a match, as JSON, to load all for; child: the module that a process runs."""
         tidy()
-        self.folder = Path(mkdtemp(prefix=PREFIX)).absolute()
-        self._lock = locked(self.folder / LOCK)
+        new = Path(mkdtemp(prefix=NEW)).absolute()
+        self.folder = new.with_name(new.name.replace(NEW, PREFIX))
+        self._lock = locked(new / LOCK)  # before its name tells that it is one of these
+        new.rename(self.folder)
         self.child = child
         self.stopping = Event()  # set: no match is wanted any more
         self._source = Warm(self.folder, child, scenario) if fork else Reused()
@@ -66,16 +66,20 @@ def own_ground(scenario: str) -> Ground:
 
 
 def locked(path: Path) -> IO[bytes] | None:
-    """The file, as long as it is open this process's alone; None where another one has it."""
-    file = open(path, "wb")  # noqa: SIM115
-    if sys.platform != "win32":
-        import fcntl
+    """The file, as long as it is open this process's alone; None where another one has it.
 
-        try:
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError:
-            file.close()
-            return None
+    None on Windows too, where a folder with an open file could not be renamed.
+    """
+    if sys.platform == "win32":
+        return None
+    import fcntl
+
+    file = open(path, "wb")  # noqa: SIM115
+    try:
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        file.close()
+        return None
     return file
 
 
@@ -83,8 +87,6 @@ def tidy() -> None:
     """Take away the folders of runs that were killed together with all their processes."""
     for folder in Path(tempfile.gettempdir()).glob(f"{PREFIX}*"):
         try:
-            if sys.platform == "win32" or time.time() - folder.stat().st_mtime < YOUNG:
-                continue
             if file := locked(folder / LOCK):
                 shutil.rmtree(folder, ignore_errors=True)
                 file.close()
