@@ -7,7 +7,7 @@ import subprocess
 import sys
 from collections.abc import Sequence
 from contextlib import suppress
-from typing import Any
+from typing import IO, Any, Protocol
 
 # as `python -m MODULE`, with our own sys.path; -P: no module of the working folder slips in
 BOOT = """\
@@ -15,7 +15,30 @@ import sys, json, importlib
 sys.path[:] = json.loads(sys.argv[1])
 importlib.import_module(sys.argv[2]).main(*sys.argv[3:])
 """
-Process = subprocess.Popen[bytes]
+
+
+class Process(Protocol):
+    """What is known of a process that was started: a subprocess.Popen, or what does as it does."""
+
+    pid: int  # it leads a group of this number
+
+    @property
+    def stdin(self) -> IO[bytes] | None:
+        """The end that is closed when nobody wants the process any more."""
+
+    @property
+    def stdout(self) -> IO[bytes] | None:
+        """What it prints."""
+
+    @property
+    def returncode(self) -> int | None:
+        """Its exit code; None until it is buried."""
+
+    def poll(self) -> int | None:
+        """Its exit code; None while it runs."""
+
+    def wait(self) -> int:
+        """Bury it as soon as it ends; its exit code."""
 
 
 def start(module: str, arguments: Sequence[str] = (), **pipes: Any) -> Process:
@@ -46,7 +69,7 @@ def has_ended(process: Process) -> bool:
     """Whether it has; it stays unburied where that can be, so that its group keeps its number."""
     if process.returncode is not None:
         return True
-    if not hasattr(os, "waitid"):
+    if not hasattr(os, "waitid") or not isinstance(process, subprocess.Popen):
         return process.poll() is not None
     try:
         flags = os.WEXITED | os.WNOHANG | os.WNOWAIT

@@ -44,11 +44,11 @@ MAY_IMPORT = {  # part: what it may import besides itself and the name and versi
     "match_report": {"record", "sheet", "touches", "shots"},
     "verify": {"problems", "record", "simulation", "match"},
     "repeat": {"record", "report", "simulation", "spec", "workers"},
-    "regress": set(),
+    "regress": {"problems", "processes", "spec", "record", "strategy", "match"},
     "bench": ALL | {"render"},
     "reproduce": ALL | {"render"},
     "tune": ALL | {"render"},
-    "cli": ALL | MATCH | {"render", "bench", "reproduce", "tune"},
+    "cli": ALL | MATCH | {"regress", "render", "bench", "reproduce", "tune"},
     "__main__": {"cli"},
 }
 FILES = sorted(PACKAGE.rglob("*.py"))

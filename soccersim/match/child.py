@@ -35,11 +35,17 @@ def serve(folder: Path, work: Callable[[Document, Turn, Path], Document]) -> Non
     os.close(out)
     threading.Thread(target=follow_parent, args=(parent, turn, folder), daemon=True).start()
     keep_traces(folder / TRACE)
+    answer(folder, turn, work)
+    os._exit(0)
+
+
+def answer(folder: Path, turn: Turn, work: Callable[[Document, Turn, Path], Document]) -> Document:
+    """Do the work that request.json asks for; leaves outcome.json, and returns it."""
     outcome = told(lambda: work(json.loads((folder / REQUEST).read_text("utf-8")), turn, folder))
     part = folder / (OUTCOME + ".part")
     part.write_text(json.dumps(outcome), encoding="utf-8")
     part.replace(folder / OUTCOME)
-    os._exit(0)
+    return outcome
 
 
 def told(work: Callable[[], Document]) -> Document:
@@ -59,6 +65,7 @@ def told(work: Callable[[], Document]) -> Document:
 def play(request: Document, turn: Turn, folder: Path) -> Document:
     """The match itself."""
     from soccersim.match.game import Game
+    from soccersim.match.keep import is_kept
     from soccersim.match.seating import take_seats
     from soccersim.spec.scenario import Scenario
     from soccersim.strategy.load import Origin
@@ -75,7 +82,8 @@ def play(request: Document, turn: Turn, folder: Path) -> Document:
     for seat in seats:
         seat.close()
     recording = result.recording
-    if request["recording"]:
+    kept = is_kept(request["keep"], request["watched"], result.score, result.faults)
+    if request["recording"] and kept:
         keep_standard_files()
         recording.save(request["recording"])
     match = recording.match or {}

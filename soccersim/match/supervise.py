@@ -17,6 +17,7 @@ from typing import Any
 from soccersim.match.child import OUTCOME, REQUEST, TRACE, TURN
 from soccersim.match.endings import how_ended
 from soccersim.match.faults import CRASH, DEADLINE, MEMORY, TeamFault, forfeited
+from soccersim.match.keep import Keep
 from soccersim.match.prints import Prints
 from soccersim.match.seating import Isolate, Origins
 from soccersim.match.stopwatch import Stopwatch
@@ -31,6 +32,7 @@ APART: Isolate = "team" if os.name == "posix" else "match"  # how a doubtful mat
 DOUBTFUL = (DEADLINE, MEMORY, CRASH)  # what a machine that is too full may bring about
 CHILD = "soccersim.match.child"
 Progress = Callable[[State], None]
+Begin = Callable[..., Process]  # starts a process as processes.start does
 Printed = Callable[[str], None]
 
 
@@ -42,6 +44,8 @@ class Request:
     origins: Origins  # HOME's and AWAY's strategies
     isolate: Isolate = "match"
     recording: Path | None = None  # where it is written; None: nowhere
+    keep: Keep = "all"  # which matches are worth it
+    watched: int | None = None  # the slot whose losses are; None: whoever loses
 
 
 @dataclass(frozen=True)
@@ -102,9 +106,14 @@ def attempt(
     progress: Progress | None = None,
     printed: Printed | None = None,
     child: str = CHILD,
+    begin: Begin = start,
+    within: Path | None = None,
 ) -> Attempt:
-    """Play it once. A caller that plays several at a time repeats doubtful ones when alone."""
-    with TemporaryDirectory(prefix="soccersim-", ignore_cleanup_errors=True) as name:
+    """Play it once. A caller that plays several at a time repeats doubtful ones when alone.
+
+    begin: starts the process; within: a folder for what passes between it and this one.
+    """
+    with TemporaryDirectory(prefix="soccersim-", dir=within, ignore_cleanup_errors=True) as name:
         folder = Path(name)
         path = request.recording and str(request.recording.absolute())
         told = {
@@ -112,11 +121,13 @@ def attempt(
             "origins": [asdict(origin) for origin in request.origins],
             "isolate": request.isolate,
             "recording": path,
+            "keep": request.keep,
+            "watched": request.watched,
         }
         (folder / REQUEST).write_text(json.dumps(told), encoding="utf-8")
         (folder / TURN).write_bytes(bytes(Turn().buffer))
         with open(folder / TURN, "r+b") as file, mmap(file.fileno(), SIZE) as turn:
-            process = start(child, [name], stdout=PIPE, stderr=STDOUT)
+            process = begin(child, [name], stdout=PIPE, stderr=STDOUT)
             prints = Prints(process, printed)
             try:
                 broken = watch(process, turn, prints, folder / TRACE, progress)

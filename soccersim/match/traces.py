@@ -20,10 +20,12 @@ _file: int | None = None  # the handler writes there as long as the process live
 def keep_traces(path: Path) -> None:
     """In this process: write into the file on a crash, or when asked."""
     global _file
-    _file = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)
+    before, _file = _file, os.open(path, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)
     faulthandler.enable(_file, all_threads=False)
     if ASK is not None:
         faulthandler.register(ASK, _file, all_threads=False)
+    if before is not None:
+        os.close(before)
 
 
 def ask_trace(pid: int, path: Path) -> None:
