@@ -17,6 +17,8 @@ class Match:
     row: Row
     home: str  # the team's name as it is shown
     away: str
+    candidate: int | None = None  # the slot that it played in, 0 HOME or 1 AWAY; None: it did not
+    base: int | None = None
 
 
 @dataclass(frozen=True)

@@ -7,12 +7,14 @@ from dataclasses import dataclass
 from functools import cached_property
 from importlib.metadata import PackageNotFoundError, packages_distributions, version
 from pathlib import Path, PurePosixPath
+from typing import Any
 from zipfile import BadZipFile, ZipFile, ZipInfo
 
 from soccersim.problems import InputError, Problem, one_line
 from soccersim.regress.reach import Reach
 from soccersim.strategy.load import Origin, locate
 
+Document = dict[str, Any]
 BEGINNING = (1980, 1, 1, 0, 0, 0)  # of zip files: whenever it is bundled, it is the same bundle
 UNIX, PLAIN = 3, 0o644 << 16
 
@@ -43,6 +45,22 @@ def bundle(source: str, beside: Path | None = None) -> Bundle:
             archive.writestr(entry, data)
         archive.comment = json.dumps(told, sort_keys=True).encode()
     return Bundle(source, file.getvalue())
+
+
+def same_program(one: Bundle, two: Bundle) -> bool:
+    """Whether both are the same code byte for byte; a single file may have another name."""
+    return one.sha == two.sha or content(one) == content(two)
+
+
+def content(bundle: Bundle) -> tuple[Document, dict[str, bytes]]:
+    """What a bundle tells and holds, without the name of the file that was named."""
+    with ZipFile(io.BytesIO(bundle.data)) as archive:
+        told = json.loads(archive.comment)
+        files = {name: archive.read(name) for name in archive.namelist()}
+    main = f"{told['module']}.py"
+    if main in files:
+        told["module"], files[""] = "", files.pop(main)
+    return told, files
 
 
 def unpack(bundle: Bundle, folder: Path) -> Origin:

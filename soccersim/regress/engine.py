@@ -22,6 +22,11 @@ def engine() -> str:
     return hashlib.sha256(json.dumps(told, sort_keys=True).encode()).hexdigest()
 
 
+def environment() -> dict[str, str]:
+    """The same for people."""
+    return {"soccersim": __version__, **fingerprint(), "engine": engine()[:16]}
+
+
 def sources() -> str:
     """SHA-256 of our code: an edit of it makes other matches, also where the version stays."""
     digest = hashlib.sha256()

@@ -3,9 +3,11 @@
 import os
 from contextlib import suppress
 from pathlib import Path
+from zipfile import BadZipFile
 
 from soccersim.problems import MachineError
 from soccersim.regress.leg import Leg
+from soccersim.regress.row import Row
 
 PART = ".part"  # ends the name of a file that is not whole yet
 
@@ -32,3 +34,24 @@ class Recordings:
                 part.unlink()
             raise MachineError(f"{path}: {error.strerror or error}") from error
         return name
+
+    def parting(self, one: Row, two: Row) -> int | None:
+        """The first tick at which two matches differ; None: nowhere, or it is not known."""
+        if one.digest == two.digest or not (one.recording and two.recording):
+            return None
+        import numpy as np
+
+        told = []
+        for row in (one, two):
+            try:
+                with np.load(self.folder / row.recording, allow_pickle=False) as file:
+                    told.append((file["tick"], file["chain"]))
+            except (OSError, ValueError, KeyError, BadZipFile):
+                return None
+        (ticks, first), (others, second) = told
+        shorter = min(len(ticks), len(others))
+        differ = (first[:shorter] != second[:shorter]).any(axis=1)
+        if differ.any():
+            return int(ticks[differ.argmax()])
+        longer = ticks if len(ticks) > shorter else others
+        return int(longer[shorter]) if len(longer) > shorter else None

@@ -7,7 +7,7 @@ too, and then void: never a team's loss. Only a disk that cannot be written ends
 
 import time
 from collections import deque
-from collections.abc import Iterable, Iterator
+from collections.abc import Generator, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from dataclasses import dataclass, field, replace
 
@@ -41,7 +41,7 @@ class Task:
 
 def run(
     legs: Iterable[Leg], store: Store, pool: Pool, *, ahead: int = 0, twice: int = 0
-) -> Iterator[tuple[Leg, Row]]:
+) -> Generator[tuple[Leg, Row], None, None]:
     """The rows of these legs, in the order in which they come: stored ones at once.
 
     Legs are begun in their order, `ahead` beyond the first that is missing at most. Of every
@@ -81,7 +81,7 @@ class Runner:
             if not self.running:
                 return
             done, _ = wait(self.running, BEAT, FIRST_COMPLETED)
-            for future in done:
+            for future in [each for each in self.running if each in done]:  # as they were begun
                 yield from self._end(self.running.pop(future), future)
 
     def stop(self) -> None:

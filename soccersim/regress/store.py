@@ -46,6 +46,7 @@ class Store(Database):
     def __init__(self, path: Path) -> None:
         super().__init__(path, TABLES)
         self.seconds = 0.0  # that the last add() took
+        self.added = 0  # legs, since it was opened
 
     def add(self, *rows: Row) -> None:
         """Keep rows, all or none. One that is there stays; if it came out otherwise, that is kept.
@@ -54,16 +55,18 @@ class Store(Database):
         """
         start = time.perf_counter()
         with self.transaction():
-            for row in rows:
-                self._add(row, self.row(row.key))
+            added = sum(self._add(row, self.row(row.key)) for row in rows)
+        self.added += added
         self.seconds = time.perf_counter() - start
 
-    def _add(self, row: Row, there: Row | None) -> None:
+    def _add(self, row: Row, there: Row | None) -> bool:
+        """Whether it is one more."""
         if there is None or (there.void and not row.void):
             self.all(f"REPLACE INTO legs VALUES ({', '.join('?' * 17)})", packed(row))
         elif contradicts(row, there):
             found = Contradiction(row.key, row.pair, row.leg, there.digest, row.digest)
             self.all("INSERT OR IGNORE INTO contradictions VALUES (?, ?, ?, ?, ?)", found)
+        return there is None
 
     def row(self, key: str) -> Row | None:
         """The row of a leg; None where it has not been played."""
