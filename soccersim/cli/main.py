@@ -15,6 +15,7 @@ VERBS = {  # verb: what it does; its command stands in cli/verb.py
     "run": "Run a scenario: table, report, plot, frames, video.",
     "reproduce": "Every table of the papers beside ours.",
     "match": "Play a match of two strategies.",
+    "regress": "Is one team better than another? PASS, FAIL or the reason why not.",
     "tune": "Ziegler-Nichols gains from a simulated experiment.",
     "replay": "Look at a recording again, or check it bit by bit.",
     "bench": "Measure this machine's speed, beside the floor.",

@@ -1,0 +1,226 @@
+"""`soccersim regress`."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from soccersim.cli.campaigns import (
+    Typed,
+    check_file,
+    file_option,
+    match_options,
+    place,
+    planned,
+    play_options,
+    processors,
+    results_file,
+    typed,
+)
+from soccersim.problems import Stopped
+
+if TYPE_CHECKING:
+    from soccersim.regress.account import Account
+    from soccersim.regress.plan import Plan
+    from soccersim.regress.rules import Rule
+    from soccersim.regress.store import Store
+
+HTML, XML = (".html", ".htm"), (".xml",)
+
+
+@click.command("regress", cls=Typed, short_help="Is the candidate better than the base?")
+@click.argument("base")
+@click.argument("candidate")
+@match_options
+@click.option("--pairs", type=click.IntRange(min=1), metavar="N", help="Play so many, then decide.")
+@click.option("--sprt", metavar="LOW,HIGH", help="Normalized Elo to decide between. [-25,25]")
+@click.option("--alpha", type=float, help="Chance to pass where LOW is true. [0.05]")
+@click.option("--beta", type=float, help="Chance to fail where HIGH is true. [0.05]")
+@click.option("--max-pairs", type=click.IntRange(min=1), metavar="N", help="At most. [400]")
+@click.option("--against", multiple=True, metavar="TEAM...", help="Both play these instead.")
+@play_options
+@file_option("--results", "Where every match is kept. [BASE-CANDIDATE.db]")
+@file_option("--report", "Write an HTML page with all the evidence.")
+@file_option("--junit", "Write JUnit XML, for CI.")
+@click.option("--strict", is_flag=True, help="INCONCLUSIVE ends with exit code 1.")
+@click.option("--json", "as_json", is_flag=True, help="One JSON document on stdout.")
+@click.pass_context
+def command(
+    ctx: click.Context,
+    base: str,
+    candidate: str,
+    scenario: str,
+    seed: int | None,
+    duration: float | None,
+    settings: tuple[str, ...],
+    pairs: int | None,
+    sprt: str | None,
+    alpha: float | None,
+    beta: float | None,
+    max_pairs: int | None,
+    against: tuple[str, ...],
+    jobs: int | None,
+    scheduler: str | None,
+    keep: str,
+    results: Path | None,
+    report: Path | None,
+    junit: Path | None,
+    strict: bool,
+    as_json: bool,
+) -> None:
+    """Play CANDIDATE against BASE, seed by seed with sides exchanged, until it is clear who is better.
+
+    \b
+    soccersim regress roles ./my_team.py
+    soccersim regress roles ./my_team.py --scenario friendly-match --duration 60
+    soccersim regress old.py new.py --against roles chaser --pairs 100 --report report.html
+
+    PASS: better. FAIL: worse (exit code 1). INCONCLUSIVE: not clear. IDENTICAL: not one match
+    differed. INVALID: more faults than the base, or matches that cannot be repeated (exit code 4).
+
+    Each match is kept in --results as it ends. The same command goes on where it was stopped; code
+    that has changed since is played anew. In --set, match.home is BASE and match.away CANDIDATE.
+    """
+    rule = rule_of(pairs, sprt, alpha, beta, max_pairs)
+    check_scheduler(scheduler, jobs)
+    path = results_file(results, (base, candidate))
+    check_file(report, "--report", HTML)
+    check_file(junit, "--junit", XML)
+    plan = planned(
+        base,
+        candidate,
+        against,
+        rule,
+        scenario=scenario,
+        seed=seed,
+        duration=duration,
+        settings=settings,
+        keep=keep,
+    )
+    from soccersim.regress.store import Store
+
+    with Store(path) as store:
+        account = played(plan, store, typed(ctx), jobs or processors(), scheduler)
+        tell(account, report, junit, as_json)
+    ctx.exit(exit_code_of(account, strict))
+
+
+def played(
+    plan: "Plan", store: "Store", command: str, jobs: int, scheduler: str | None = None
+) -> "Account":
+    """Play it to its verdict. Ctrl-C keeps what is through."""
+    import time
+
+    from soccersim.cli.following import Following
+    from soccersim.regress.campaign import Campaign
+
+    keep_plan(store, plan, command)
+    campaign = Campaign(plan, store)
+    where = place(plan.meetings[0].scenario, jobs, scheduler)
+    start = time.monotonic()
+    try:
+        with Following() as following:
+            campaign.play(where, following)
+    except KeyboardInterrupt:
+        raise Stopped(
+            f"stopped after {campaign.whole} of {plan.rule.most} pairs; {store.path} keeps "
+            f"{store.count()} matches: the same command goes on from there"
+        ) from None
+    return campaign.account(command, jobs, time.monotonic() - start)
+
+
+def keep_plan(store: "Store", plan: "Plan", command: str) -> None:
+    """Note in the store what is played into it, and by whose code."""
+    import json
+
+    store.forget_void()
+    store.keep_bundles(team.bundle for team in plan.teams)
+    store.note("plan", json.dumps(plan.document()))
+    store.note("command", command)
+
+
+def tell(account: "Account", report: Path | None, junit: Path | None, as_json: bool) -> None:
+    """Print what it came to, and write the files that were asked for."""
+    import json
+
+    from soccersim.cli.results import Results
+    from soccersim.cli.verdict_tables import show
+
+    if as_json:
+        click.echo(json.dumps(document_of(account), allow_nan=False))
+    else:
+        show(account)
+    if report:
+        from soccersim.regress.report import write_report
+
+        for path in write_report(account, report):
+            click.echo(f"wrote {path}", err=True)
+    if junit:
+        from soccersim.regress.report import junit as junit_of
+
+        with Results(junit.parent, (junit.name,), force=True) as files:
+            with files.new(junit.name) as path:
+                path.write_text(junit_of(account), encoding="utf-8")
+        click.echo(f"wrote {junit}", err=True)
+
+
+def document_of(account: "Account") -> dict[str, Any]:
+    """The document of --json."""
+    from soccersim.cli.verdict_tables import fault_list
+
+    document = account.standing.document()
+    counts = document.pop("faults")
+    document |= {"faults": fault_list(account), "fault_counts": counts}
+    document["results"] = str(account.store)
+    document["base"], document["candidate"] = account.base, account.candidate
+    document["against"] = list(account.against)
+    document["scenario"] = account.scenario
+    document["matches"] = {"played": account.played, "found": account.found}
+    return document
+
+
+def exit_code_of(account: "Account", strict: bool) -> int:
+    """The verdict for CI."""
+    from soccersim.regress.standing import exit_code
+
+    return exit_code(account.standing.verdict, strict) if account.standing.verdict else 0
+
+
+def rule_of(
+    pairs: int | None,
+    sprt: str | None,
+    alpha: float | None,
+    beta: float | None,
+    max_pairs: int | None,
+) -> "Rule":
+    """The rule to stop by; UsageError where the options contradict each other."""
+    from soccersim.regress.rules import Fixed, Sprt
+
+    given = {"sprt": sprt, "alpha": alpha, "beta": beta, "max-pairs": max_pairs}
+    named = [f"--{name}" for name, value in given.items() if value is not None]
+    if pairs is not None:
+        if named:
+            raise click.UsageError(f"--pairs plays a fixed number: leave {', '.join(named)} out")
+        return Fixed(pairs)
+    options: dict[str, Any] = {"alpha": alpha, "beta": beta, "most": max_pairs}
+    if sprt is not None:
+        options["low"], options["high"] = hypotheses(sprt)
+    try:
+        return Sprt(**{name: value for name, value in options.items() if value is not None})
+    except ValueError as error:
+        raise click.UsageError(f"{' '.join(named)}: {error}") from None
+
+
+def hypotheses(text: str) -> tuple[float, float]:
+    """LOW,HIGH."""
+    try:
+        low, high = (float(part) for part in text.split(","))
+    except ValueError:
+        raise click.UsageError("--sprt LOW,HIGH: two numbers with a comma, as -25,25") from None
+    return low, high
+
+
+def check_scheduler(scheduler: str | None, jobs: int | None) -> None:
+    """UsageError where two tell how many matches are played at a time."""
+    if scheduler and jobs:
+        raise click.UsageError("--jobs is of this machine: a cluster plays as many as it can")
