@@ -39,6 +39,29 @@ def inner(function: Callable[P, R]) -> Callable[P, R]:
     return _compiled(function, inner=True)
 
 
+def settled(function: Callable[P, R]) -> Callable[P, R]:
+    """The kernel for whoever calls it with the same types ever again: it looks at them once.
+
+    For a tuple of hundreds of arrays that look takes 28 of the 35 us of a call. Other types later
+    would be read as if they were the first.
+    """
+    if not COMPILED:
+        return function
+    kernel: Any = function
+    compiled: Any = None
+
+    def call(*arguments: P.args, **_: P.kwargs) -> R:
+        nonlocal compiled
+        if compiled is None:
+            types = tuple(import_module("numba").typeof(each) for each in arguments)
+            kernel.compile(types)
+            compiled = kernel.overloads[types].entry_point
+        result: R = compiled(*arguments)
+        return result
+
+    return call
+
+
 def _compiled(function: Callable[P, R], inner: bool) -> Callable[P, R]:
     if not COMPILED:
         return function

@@ -18,7 +18,7 @@ from soccersim.control.position import seek
 from soccersim.control.reach import through
 from soccersim.control.wheels import turn_wheels
 from soccersim.estimation.odometry import reckon
-from soccersim.kernel import kernel
+from soccersim.kernel import kernel, settled
 from soccersim.limbs import ends, move_arms
 from soccersim.machine import Machine, build_machine, empty_truth
 from soccersim.plant.ball import roll_ball
@@ -105,6 +105,7 @@ class Simulation:
             if not scenario.match or key not in PLANS
         }
         self._digest = Digest()
+        self._ticks = settled(run_ticks)
 
     def run(self, progress: Callable[[float], None] | None = None) -> Recording:
         """The whole run; progress is told the share done now and then."""
@@ -157,7 +158,7 @@ class Simulation:
         self._lasts = self.noise.prepare(self.tick, min(self.end, room, self._shoot()))
 
     def _run(self, end: int) -> None:
-        reached = run_ticks(self.machine, self.tick, end, self.scenario.dt)
+        reached = self._ticks(self.machine, self.tick, end, self.scenario.dt)
         if reached < 0:
             self._check(reached)
         self.done = reached < end or reached == self.end

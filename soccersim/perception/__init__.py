@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from soccersim.estimation.ball_track import put_down
 from soccersim.estimation.localisation import SURE
 from soccersim.estimation.opponents import FREE
+from soccersim.kernel import settled
 from soccersim.perception.mind import build_eyes, build_known
 from soccersim.perception.telling import tell
 from soccersim.perception.watching import perceive, reveal
@@ -31,6 +32,7 @@ class Perception:
         self._known = build_known(scenario)
         self._dt = scenario.dt
         self._tick = -1  # of the last step
+        self._perceive, self._tell = settled(perceive), settled(tell)
         self._rulings: tuple[Sequence[int] | Whole, Sequence[float] | Array]
         self.beat: int = self._eyes.camera.every
         """Ticks from frame to frame: `step` is called at least that often."""
@@ -60,12 +62,12 @@ class Perception:
         if tick % eyes.camera.every == 0:
             self._draws.prepare(tick // eyes.camera.every)
         pose, twist = estimate.pose, estimate.twist
-        perceive(eyes, known, truth.body, readings.contact, pose, twist, tick, self._dt)
+        self._perceive(eyes, known, truth.body, readings.contact, pose, twist, tick, self._dt)
 
     def fill(self, sheet: Array, slot: int, tick: int) -> None:
         """Write what a team knows into its sheet: numbers 8 and on, as soccersim.sheet says."""
         self._known.playing[:], self._known.direction[:] = self._rulings
-        tell(self._known, sheet, slot, tick, self._dt)
+        self._tell(self._known, sheet, slot, tick, self._dt)
 
     def place(self, robot: int, pose: Sequence[float]) -> None:
         """A robot was carried to a pose (field frame) and told so: forget its past.

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from soccersim.spec.scenario import Scenario
 
 FORMAT = 2
+LEVEL = 4  # of compression: a fifth of the time that 6 takes, for files 4 % larger
 Array = NDArray[Any]
 # which arrays go to the file with which word of the scenario's `record`
 GROUPS = {
@@ -144,7 +145,7 @@ class Recording:
         kept |= {key: self.arrays[key] for key in names if key in self.arrays}
         pack = packed if self.match is not None else (lambda _, array: array)
         try:
-            with ZipFile(path, "w", ZIP_DEFLATED) as file:
+            with ZipFile(path, "w", ZIP_DEFLATED, compresslevel=LEVEL) as file:
                 for key, array in kept.items():  # one at a time: as packed they take much room
                     with file.open(f"{key}.npy", "w", force_zip64=True) as entry:
                         np.lib.format.write_array(entry, pack(key, array), allow_pickle=False)
