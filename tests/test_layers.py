@@ -44,7 +44,7 @@ MAY_IMPORT = {  # part: what it may import besides itself and the name and versi
     "match_report": {"record", "sheet", "touches", "shots"},
     "verify": {"problems", "record", "simulation", "match"},
     "repeat": {"record", "report", "simulation", "spec", "workers"},
-    "regress": {"problems", "processes", "spec", "record", "strategy", "match"},
+    "regress": {"problems", "processes", "spec", "record", "strategy", "match", "render"},
     "bench": ALL | {"render"},
     "reproduce": ALL | {"render"},
     "tune": ALL | {"render"},
