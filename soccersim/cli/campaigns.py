@@ -123,10 +123,11 @@ def planned(
         base, candidate, scenario, seed=seed, duration=duration, settings=[*own, *settings]
     ).scenario
     check_seeds(spec.seed, rule.most)
-    options = [spec.match.home.options, spec.match.away.options] if spec.match else [{}, {}]
-    teams = [Team(bundle(name), given) for name, given in zip((base, candidate), options)]
+    home, away = (spec.match.home, spec.match.away) if spec.match else (None, None)
+    one = Team(bundle(base), home.options if home else {})
+    two = Team(bundle(candidate), away.options if away else {})
     opponents = tuple(Team(bundle(name), own_options(name, scenario)) for name in against)
-    return Plan(spec, teams[0], teams[1], opponents, rule, spec.seed, keep)
+    return Plan(spec, one, two, opponents, rule, spec.seed, keep)
 
 
 def own_options(name: str, scenario: str) -> dict[str, Any]:

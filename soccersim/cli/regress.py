@@ -68,7 +68,9 @@ def command(
     strict: bool,
     as_json: bool,
 ) -> None:
-    """Play CANDIDATE against BASE, seed by seed with sides exchanged, until it is clear who is better.
+    """Play CANDIDATE against BASE, until it is clear whether it is better.
+
+    A pair of matches is one seed with the sides exchanged.
 
     \b
     soccersim regress roles ./my_team.py
@@ -158,9 +160,9 @@ def tell(account: "Account", report: Path | None, junit: Path | None, as_json: b
     if junit:
         from soccersim.regress.report import junit as junit_of
 
-        with Results(junit.parent, (junit.name,), force=True) as files:
-            with files.new(junit.name) as path:
-                path.write_text(junit_of(account), encoding="utf-8")
+        files = Results(junit.parent, (junit.name,), force=True)
+        with files.new(junit.name) as path:
+            path.write_text(junit_of(account), encoding="utf-8")
         click.echo(f"wrote {junit}", err=True)
 
 

@@ -14,19 +14,27 @@ if TYPE_CHECKING:
 @click.command("replay", short_help="Look at a recording again, or check it.")
 @click.argument("recording", type=click.Path(path_type=Path))
 @click.option("--verify", is_flag=True, help="Simulate it again and compare, record by record.")
+@click.option("--html", type=click.Path(path_type=Path), help="Write a page that plays it.")
 @click.option("--video", type=click.Path(path_type=Path), help="Write a film, an .mp4.")
 @click.option("--frames", type=click.Path(path_type=Path), help="Write PNG frames into a folder.")
 @click.option("--force", is_flag=True, help="Overwrite what is there.")
 def command(
-    recording: Path, verify: bool, video: Path | None, frames: Path | None, force: bool
+    recording: Path,
+    verify: bool,
+    html: Path | None,
+    video: Path | None,
+    frames: Path | None,
+    force: bool,
 ) -> None:
     """Say what RECORDING holds; draw it, or check that it can be played again bit by bit.
 
     \b
     soccersim replay match-1.npz
+    soccersim replay match-1.npz --html match.html
     soccersim replay match-1.npz --video match.mp4
     soccersim replay match-1.npz --verify
 
+    --html writes one file that opens in a browser, without any network: docs/replay.md.
     --verify simulates the run anew: a path from its scenario, a match from the orders that the
     teams sent. It names the first record that differs, and exits with 1 then.
     """
@@ -34,9 +42,9 @@ def command(
 
     loaded = Recording.load(recording)
     loaded.scenario  # noqa: B018  said at once where it cannot be read
-    if not (verify or video or frames):
+    if not (verify or html or video or frames):
         click.echo(described(loaded))
-    for path, write in ((video, "video"), (frames, "frames")):
+    for path, write in ((html, "html"), (video, "video"), (frames, "frames")):
         if path:
             folder = Results(path.parent, (path.name,), force)
             with folder as results, results.new(path.name) as part:
@@ -64,7 +72,11 @@ def described(recording: "Recording") -> str:
 def _draw(recording: "Recording", path: Path, kind: str) -> None:
     from soccersim.cli.progress import Bar
 
-    if kind == "video":
+    if kind == "html":
+        from soccersim.render.page import page
+
+        path.write_text(page(recording), encoding="utf-8")
+    elif kind == "video":
         from soccersim.render.video import save_video
 
         with Bar("encoding video") as bar:

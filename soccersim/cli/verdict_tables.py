@@ -54,7 +54,8 @@ def evidence(account: Account) -> Table:
     void = f", {standing.void} void" if standing.void else ""
     of = "matches of both with each opponent" if account.against else "matches"
     rows = {
-        "pairs": f"{standing.pairs} of {account.scenario}{most}{void}; {standing.divergence}",
+        "pairs": f"{standing.pairs} of {account.scenario}{most}{void}",
+        "diverged": diverged(account),
         "normalized Elo": span(standing.elo, 0),
         "goals a match": span(standing.goal_difference, 2),
         of: tally(account),
@@ -72,6 +73,13 @@ def evidence(account: Account) -> Table:
     for name, told in rows.items():
         table.add_row(name, escape(told))
     return table
+
+
+def diverged(account: Account) -> str:
+    """How many pairs differed at all."""
+    standing = account.standing
+    first = "" if standing.parted is None else f", first at tick {standing.parted}"
+    return f"{standing.diverged} of {standing.pairs} pairs{first}"
 
 
 def costs(account: Account) -> dict[str, str]:

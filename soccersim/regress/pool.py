@@ -12,8 +12,13 @@ from soccersim.regress.leg import Leg
 class Pool(Protocol):
     """What a run needs of it: concurrent.futures' Futures, from here or from a cluster."""
 
-    width: int  # legs that it plays at a time
-    quiet: bool  # a leg is alone only where nothing else of the run is played
+    @property
+    def width(self) -> int:
+        """Legs that it plays at a time; on a cluster that may change."""
+
+    @property
+    def quiet(self) -> bool:
+        """Whether a leg is alone only where nothing else of the run is played."""
 
     def submit(self, leg: Leg, alone: bool) -> "Future[Played]":
         """Play a leg: what play_leg returns or raises."""

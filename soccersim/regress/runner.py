@@ -50,7 +50,7 @@ def run(
     strategy is not there, MachineError where the disk is full; what is in the store stays, and
     the same call goes on from there.
     """
-    runner = Runner(store, pool, enumerate(legs), ahead or AHEAD * pool.width, twice)
+    runner = Runner(store, pool, enumerate(legs), ahead, twice)
     try:
         yield from runner.rows()
     finally:
@@ -102,7 +102,8 @@ class Runner:
             if self.checks:
                 self._submit(self.checks.popleft())
                 continue
-            if not self.more or self.begun >= self.whole + self.ahead:
+            ahead = self.ahead or AHEAD * max(self.pool.width, 1)
+            if not self.more or self.begun >= self.whole + ahead:
                 return
             yield from self._next()
 
