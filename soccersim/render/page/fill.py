@@ -1,0 +1,95 @@
+"""Puts a recording and the page's own files together to one HTML file.
+
+Nothing that a team or a scenario wrote stands in the HTML as it is, save for the escaped title:
+all else is deflated and in base64, and the page's scripts write it as text. A policy in the head
+lets the browser run and load nothing but what is here.
+"""
+
+from base64 import b64encode
+from functools import cache
+from hashlib import sha256
+from html import escape
+from importlib.resources import files
+
+from soccersim.problems import InputError, Problem
+from soccersim.record.recording import Recording
+from soccersim.render import look
+from soccersim.render.page.channels import COARSE, FINE, FINEST, Finesse, channels, frames
+from soccersim.render.page.document import css, document
+from soccersim.render.story import Story
+
+# in this order they are one script
+DRAWING = ("view", "pitch", "robots", "marks", "picture")  # knows nothing of recordings
+SCRIPTS = ("unpack", "recording", *DRAWING, "player", "timeline", "panels", "controls", "main")
+PALETTE = ("page", "card", "ink", "faint", "believed", "target")
+SHORT = 6_000  # poses up to which the finest steps are taken: four minutes of one robot
+ROOM = 690_000  # bytes of packed numbers; a page has a third more, in base64, and its own files
+
+
+def page(recording: Recording, title: str = "") -> str:
+    """The HTML of a page that plays the recording; title: its name in the browser."""
+    if len(recording.tick) == 0:
+        raise InputError(Problem("the recording is empty: there is nothing to show"))
+    story = Story(recording) if recording.match else None
+    title = title or _title(recording, story)
+    poses = len(frames(recording, FINE.hz)) * recording.body.shape[1]
+    if poses <= SHORT:
+        data = _packed(recording, story, title, FINEST)
+    else:
+        data = _packed(recording, story, title, FINE)
+        if len(data) > ROOM:
+            data = _packed(recording, story, title, COARSE)
+    return _filled(title, data)
+
+
+def _packed(recording: Recording, story: Story | None, title: str, fine: Finesse) -> bytes:
+    shown = frames(recording, fine.hz)
+    told = document(recording, story, title, shown)
+    return channels(recording, story, fine, shown).packed(told)
+
+
+def _title(recording: Recording, story: Story | None) -> str:
+    if story is None:
+        return recording.scenario.name
+    home, away = story.final
+    return f"{story.names[0]} {home} : {away} {story.names[1]}"
+
+
+def _filled(title: str, data: bytes) -> str:
+    """The template with everything in its place."""
+    style, script = _palette() + _part("page.css"), _script()
+    return (
+        _part("page.html")
+        .replace("{{style-hash}}", _digest(style))
+        .replace("{{script-hash}}", _digest(script))
+        .replace("{{style}}", style)
+        .replace("{{script}}", script)
+        .replace("{{title}}", escape(title).replace("{", "&#123;"))
+        .replace("{{data}}", b64encode(data).decode())
+    )
+
+
+@cache
+def _palette() -> str:
+    """The colours of the frames as variables of the style."""
+    colours = {name: css(getattr(look, name.upper())) for name in PALETTE}
+    for team, colour in look.TEAMS.items():
+        colours |= {team: css(colour), f"{team}-tint": css(look.tint(team))}
+    return f":root {{{''.join(f'--{name}:{value};' for name, value in colours.items())}}}\n"
+
+
+@cache
+def _script() -> str:
+    """All scripts as one, in strict mode, with no names on the window but those they put there."""
+    parts = "\n".join(_part(f"{name}.js") for name in SCRIPTS)
+    return f'"use strict";\n(() => {{\n{parts}}})();\n'
+
+
+@cache
+def _part(name: str) -> str:
+    return (files("soccersim.render.page") / name).read_text(encoding="utf-8")
+
+
+def _digest(text: str) -> str:
+    """As a content security policy names what may run."""
+    return b64encode(sha256(text.encode()).digest()).decode()
