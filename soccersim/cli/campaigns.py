@@ -200,3 +200,9 @@ def check_file(path: Path | None, option: str, suffixes: Sequence[str] = ()) -> 
             )
     except (OSError, ValueError) as error:  # a name too long, a NUL in it
         raise MachineError(f"{shown}: {getattr(error, 'strerror', None) or error}") from error
+
+
+def check_scheduler(scheduler: str | None, jobs: int | None) -> None:
+    """UsageError where two tell how many matches are played at a time."""
+    if scheduler and jobs:
+        raise click.UsageError("--jobs is of this machine: a cluster plays as many as it can")

@@ -1,7 +1,8 @@
-"""How a regression comes along: two lines on a terminal, else a line now and then."""
+"""How matches come along: lines that stay in place on a terminal, else a line now and then."""
 
 import sys
 import time
+from collections.abc import Callable
 from types import TracebackType
 from typing import TYPE_CHECKING, Self
 
@@ -21,52 +22,60 @@ FEW = 8  # pairs
 
 
 class Following:
-    """Shows a campaign on standard error. Used as a context."""
+    """Shows on standard error what is told. Used as a context."""
 
     def __init__(self) -> None:
-        self.start = time.monotonic()
-        self.first: tuple[float, int] | None = None  # when legs began to come, and how many by then
+        self.start = self._said = time.monotonic()
+        self._pause = CALM[0]
+        self._first: tuple[float, int] | None = None  # when matches began to come, and how many
         self._live: Live | None = None
-        self._said, self._pause = self.start, CALM[0]
 
-    def __call__(self, campaign: "Campaign") -> None:
-        """A leg is over."""
+    def show(self, played: int, lines: Callable[[bool], list[str]]) -> None:
+        """Tell what these lines say, if it is time to; played: matches in this run.
+
+        lines: asked with whether there is a terminal.
+        """
         now = time.monotonic()
-        if self.first is None and campaign.played:
-            self.first = now, campaign.played
+        if self._first is None and played:
+            self._first = now, played
         if sys.stderr.isatty():
             if self._live is None and now - self.start > PATIENCE:
                 self._live = live()
                 self._live.start()
             if self._live:
-                self._live.update("\n".join(self.lines(campaign)))
-        elif now - self._said > self._pause and campaign.played:
-            click.echo(", ".join(self.lines(campaign, gauge=False)), err=True)
+                self._live.update("\n".join(lines(True)))
+        elif now - self._said > self._pause and played:
+            click.echo(", ".join(lines(False)), err=True)
             self._said, self._pause = now, min(2 * self._pause, CALM[1])
 
-    def lines(self, campaign: "Campaign", gauge: bool = True) -> list[str]:
-        """What is shown."""
+    def left(self, played: int, more: float) -> list[str]:
+        """How long so many more matches may take, after those of this run; nothing at first."""
+        if not self._first or played <= self._first[1]:
+            return []
+        began, then = self._first
+        each = (time.monotonic() - began) / (played - then)
+        return [f"{shown_time(each * more)} left"]
+
+    def campaign(self, campaign: "Campaign") -> None:
+        """Show how a regression comes along."""
+        self.show(campaign.played, lambda terminal: self._lines(campaign, terminal))
+
+    def _lines(self, campaign: "Campaign", terminal: bool) -> list[str]:
         standing, most = campaign.standing, campaign.plan.rule.most
+        more = pairs_left(campaign) * len(campaign.plan.meetings)
         fixed = not hasattr(campaign.plan.rule, "low")
         of = "of" if fixed else "of at most"
-        first = [f"{campaign.whole} {of} {most} pairs"]
-        if left := self.left(campaign):
-            first.append(left)
+        first = [f"{campaign.whole} {of} {most} pairs", *self.left(campaign.played, more)]
         low, high = standing.bounds
         llr = f"LLR {standing.llr:.2f} in {low:.2f} .. {high:.2f}"
-        if gauge:
+        if terminal:
             llr = f"LLR {low:.2f} {drawn(standing.llr, low, high)} {high:.2f}"
-        second = [] if fixed and gauge else [llr]
-        return [", ".join(first), ", ".join([*second, score(standing)])]
+        return [", ".join(first), ", ".join([*([] if fixed else [llr]), score(standing)])]
 
-    def left(self, campaign: "Campaign") -> str:
-        """How long it may take, from what the legs of this run took."""
-        if not self.first or campaign.played <= self.first[1]:
-            return ""
-        began, then = self.first
-        each = (time.monotonic() - began) / (campaign.played - then)
-        pairs = pairs_left(campaign)
-        return f"{shown_time(each * pairs * len(campaign.plan.meetings))} left"
+    def matches(self, played: int, done: int, total: int) -> None:
+        """Show how so many matches come along."""
+        left = self.left(played, total - done)
+        self.show(played, lambda _: [", ".join([f"{done} of {total} matches", *left])])
 
     def __enter__(self) -> Self:
         return self

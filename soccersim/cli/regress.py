@@ -7,7 +7,7 @@ import click
 
 from soccersim.cli.campaigns import (
     Typed,
-    check_file,
+    check_scheduler,
     file_option,
     match_options,
     place,
@@ -17,6 +17,7 @@ from soccersim.cli.campaigns import (
     results_file,
     typed,
 )
+from soccersim.cli.verdicts import check_outputs, exit_code_of, report_options, tell
 from soccersim.problems import Stopped
 
 if TYPE_CHECKING:
@@ -24,8 +25,6 @@ if TYPE_CHECKING:
     from soccersim.regress.plan import Plan
     from soccersim.regress.rules import Rule
     from soccersim.regress.store import Store
-
-HTML, XML = (".html", ".htm"), (".xml",)
 
 
 @click.command("regress", cls=Typed, short_help="Is the candidate better than the base?")
@@ -40,10 +39,7 @@ HTML, XML = (".html", ".htm"), (".xml",)
 @click.option("--against", multiple=True, metavar="TEAM...", help="Both play these instead.")
 @play_options
 @file_option("--results", "Where every match is kept. [BASE-CANDIDATE.db]")
-@file_option("--report", "Write an HTML page with all the evidence.")
-@file_option("--junit", "Write JUnit XML, for CI.")
-@click.option("--strict", is_flag=True, help="INCONCLUSIVE ends with exit code 1.")
-@click.option("--json", "as_json", is_flag=True, help="One JSON document on stdout.")
+@report_options
 @click.pass_context
 def command(
     ctx: click.Context,
@@ -86,8 +82,7 @@ def command(
     rule = rule_of(pairs, sprt, alpha, beta, max_pairs)
     check_scheduler(scheduler, jobs)
     path = results_file(results, (base, candidate))
-    check_file(report, "--report", HTML)
-    check_file(junit, "--junit", XML)
+    check_outputs(report, junit)
     plan = planned(
         base,
         candidate,
@@ -115,77 +110,22 @@ def played(
 
     from soccersim.cli.following import Following
     from soccersim.regress.campaign import Campaign
+    from soccersim.regress.shards import keep_plan
 
+    store.forget_void()
     keep_plan(store, plan, command)
     campaign = Campaign(plan, store)
     where = place(plan.meetings[0].scenario, jobs, scheduler)
     start = time.monotonic()
     try:
         with Following() as following:
-            campaign.play(where, following)
+            campaign.play(where, following.campaign)
     except KeyboardInterrupt:
         raise Stopped(
             f"stopped after {campaign.whole} of {plan.rule.most} pairs; {store.path} keeps "
             f"{store.count()} matches: the same command goes on from there"
         ) from None
     return campaign.account(command, jobs, time.monotonic() - start)
-
-
-def keep_plan(store: "Store", plan: "Plan", command: str) -> None:
-    """Note in the store what is played into it, and by whose code."""
-    import json
-
-    store.forget_void()
-    store.keep_bundles(team.bundle for team in plan.teams)
-    store.note("plan", json.dumps(plan.document()))
-    store.note("command", command)
-
-
-def tell(account: "Account", report: Path | None, junit: Path | None, as_json: bool) -> None:
-    """Print what it came to, and write the files that were asked for."""
-    import json
-
-    from soccersim.cli.results import Results
-    from soccersim.cli.verdict_tables import show
-
-    if as_json:
-        click.echo(json.dumps(document_of(account), allow_nan=False))
-    else:
-        show(account)
-    if report:
-        from soccersim.regress.report import write_report
-
-        for path in write_report(account, report):
-            click.echo(f"wrote {path}", err=True)
-    if junit:
-        from soccersim.regress.report import junit as junit_of
-
-        files = Results(junit.parent, (junit.name,), force=True)
-        with files.new(junit.name) as path:
-            path.write_text(junit_of(account), encoding="utf-8")
-        click.echo(f"wrote {junit}", err=True)
-
-
-def document_of(account: "Account") -> dict[str, Any]:
-    """The document of --json."""
-    from soccersim.cli.verdict_tables import fault_list
-
-    document = account.standing.document()
-    counts = document.pop("faults")
-    document |= {"faults": fault_list(account), "fault_counts": counts}
-    document["results"] = str(account.store)
-    document["base"], document["candidate"] = account.base, account.candidate
-    document["against"] = list(account.against)
-    document["scenario"] = account.scenario
-    document["matches"] = {"played": account.played, "found": account.found}
-    return document
-
-
-def exit_code_of(account: "Account", strict: bool) -> int:
-    """The verdict for CI."""
-    from soccersim.regress.standing import exit_code
-
-    return exit_code(account.standing.verdict, strict) if account.standing.verdict else 0
 
 
 def rule_of(
@@ -220,9 +160,3 @@ def hypotheses(text: str) -> tuple[float, float]:
     except ValueError:
         raise click.UsageError("--sprt LOW,HIGH: two numbers with a comma, as -25,25") from None
     return low, high
-
-
-def check_scheduler(scheduler: str | None, jobs: int | None) -> None:
-    """UsageError where two tell how many matches are played at a time."""
-    if scheduler and jobs:
-        raise click.UsageError("--jobs is of this machine: a cluster plays as many as it can")

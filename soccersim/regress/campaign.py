@@ -4,8 +4,9 @@ Only what is in the store counts, and only in the order of the pair numbers: how
 stopped, and however many matches it plays at a time, it comes to the same end.
 """
 
+import json
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager, closing
 from dataclasses import replace
 
@@ -22,6 +23,7 @@ from soccersim.regress.standing import Standing
 from soccersim.regress.store import Store
 from soccersim.regress.verdict import decide
 
+PoolOf = Callable[[], AbstractContextManager[Pool]]
 TWICE = 50  # of so many legs one is played again, the first of a run among them: see runner.run
 BEAT = 0.5  # s from one look at where it stands to the next, between marks
 MOST_WITH_EVENTS = 10_000  # matches; of more, the account leaves the events in the store
@@ -44,17 +46,19 @@ class Campaign:
         self._rows: dict[int, dict[str, Row]] = {}  # of pair numbers that are not whole, by key
         self._places: dict[str, tuple[int, int]] = {}  # pair and leg of each key that was seen
         self._marks, self._next = 0, 0.0
+        self._before = store.added
+        self.width = 0  # matches that were played at a time
         self.standing = self.look()
 
     @property
     def played(self) -> int:
         """Legs played in this run."""
-        return self.store.added
+        return self.store.added - self._before
 
     @property
     def found(self) -> int:
         """Legs of an earlier run that came out of the store."""
-        return len(self._places) - self.store.added
+        return len(self._places) - self.played
 
     def recall(self) -> None:
         """Take what is in the store, from pair 0 on until a leg is missing, or it is decided."""
@@ -69,7 +73,7 @@ class Campaign:
 
     def play(
         self,
-        pool: Callable[[], AbstractContextManager[Pool]],
+        pool: PoolOf,
         tell: Callable[["Campaign"], None] = lambda _: None,
     ) -> None:
         """Go on until there is a verdict; tell: called after each leg.
@@ -81,7 +85,7 @@ class Campaign:
         if self.standing.verdict:
             return
         with pool() as place:
-            legs = self.plan.legs(self.whole)
+            legs, self.width = self.plan.legs(self.whole), place.width
             with closing(run(legs, self.store, place, twice=TWICE)) as rows:
                 for leg, row in rows:
                     decided = self.take(leg, row)
@@ -149,11 +153,11 @@ class Campaign:
             standing=self.standing,
             samples=tuple(self.samples[number] for number in counted),
             matches=tuple(matches),
-            jobs=jobs,
+            jobs=self.width or jobs,
             seconds=seconds,
             played=self.played,
             found=self.found,
-            environment=environment(),
+            environment=json.loads(self.store.noted("environment") or "null") or environment(),
             store=self.store.path,
             recordings=self.recordings.folder,
         )
@@ -165,3 +169,20 @@ class Campaign:
             if row := self.store.row(leg.key):  # its own numbers may be those of another run
                 here = replace(row, pair=leg.pair, leg=leg.leg)
                 yield Match(here, leg.home.name, leg.away.name, candidate, base)
+
+
+def gathered(legs: Sequence[Leg], store: Store, pool: PoolOf) -> Iterator[tuple[Leg, Row]]:
+    """The rows of all these legs: those that are there first, in order, then as they come.
+
+    What run() raises. No pool is made where nothing is missing.
+    """
+    there = 0
+    for leg in legs:
+        row = store.row(leg.key)
+        if row is None:
+            break
+        there += 1
+        yield leg, row
+    if there < len(legs):
+        with pool() as place, closing(run(legs[there:], store, place, twice=TWICE)) as rows:
+            yield from rows

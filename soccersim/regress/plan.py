@@ -38,8 +38,34 @@ class Team:
         return {"name": self.name, "sha": self.bundle.sha, "options": dict(self.options)}
 
 
+class Schedule:
+    """Meetings of teams, played once on each of so many seeds."""
+
+    seed: int  # of pair 0
+
+    @property
+    def most(self) -> int:
+        """Pair numbers."""
+        raise NotImplementedError
+
+    @property
+    def meetings(self) -> tuple[Leg, ...]:
+        """The legs of pair 0."""
+        raise NotImplementedError
+
+    def legs_of(self, number: int) -> tuple[Leg, ...]:
+        """The legs of a pair number."""
+        return tuple(replace(leg, pair=number, seed=self.seed + number) for leg in self.meetings)
+
+    def legs(self, first: int = 0, shard: int = 0, shards: int = 1) -> Iterator[Leg]:
+        """All legs from a pair number on, or of every so many-th number; in their order."""
+        for number in range(first, self.most):
+            if number % shards == shard:
+                yield from self.legs_of(number)
+
+
 @dataclass(frozen=True)
-class Plan:
+class Plan(Schedule):
     """Candidate and base against each other, or both against the same opponents."""
 
     scenario: Scenario
@@ -51,8 +77,13 @@ class Plan:
     keep: Keep = "none"
     engine: str = field(default_factory=engine)
 
+    @property
+    def most(self) -> int:
+        """Pair numbers, at most."""
+        return self.rule.most
+
     @cached_property
-    def meetings(self) -> tuple[Leg, ...]:
+    def meetings(self) -> tuple[Leg, ...]:  # type: ignore[override]
         """The legs of pair 0: each candidate's pair before the one of the base."""
         met = [(self.candidate, self.base)]
         if self.against:
@@ -71,16 +102,6 @@ class Plan:
         """Whether both are the same program with the same options."""
         same = same_program(self.base.bundle, self.candidate.bundle)
         return same and self.base.options == self.candidate.options
-
-    def legs_of(self, number: int) -> tuple[Leg, ...]:
-        """The legs of a pair number."""
-        return tuple(replace(leg, pair=number, seed=self.seed + number) for leg in self.meetings)
-
-    def legs(self, first: int = 0, shard: int = 0, shards: int = 1) -> Iterator[Leg]:
-        """All legs from a pair number on, or every so many-th number's; in their order."""
-        for number in range(first, self.rule.most):
-            if number % shards == shard:
-                yield from self.legs_of(number)
 
     def sample(self, number: int, rows: Sequence[Row], parting: Parting) -> Sample:
         """What the legs of this number came to; rows as in legs_of."""
@@ -115,10 +136,17 @@ class Plan:
 
 def met_by(plan: Plan, two: tuple[Team, Team]) -> tuple[Leg, Leg]:
     """The pair 0 of two teams; the losses of the first are those to be kept."""
+    one, other = pair_between(plan.scenario, two, plan.seed, plan.keep, 0)
+    return replace(one, engine=plan.engine), replace(other, engine=plan.engine)
+
+
+def pair_between(
+    scenario: Scenario, two: tuple[Team, Team], seed: int, keep: Keep, watched: int | None
+) -> tuple[Leg, Leg]:
+    """The pair 0 of two teams."""
     options = two[0].options, two[1].options
     teams = two[0].bundle, two[1].bundle
-    pair = pair_of(plan.scenario, teams, 0, plan.seed, options=options, keep=plan.keep, watched=0)
-    return replace(pair[0], engine=plan.engine), replace(pair[1], engine=plan.engine)
+    return pair_of(scenario, teams, 0, seed, options=options, keep=keep, watched=watched)
 
 
 def plan_of(document: Mapping[str, Any], bundles: Mapping[str, Bundle]) -> Plan:

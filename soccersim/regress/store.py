@@ -85,6 +85,12 @@ class Store(Database):
         """The legs that came out differently when they were played again."""
         return [Contradiction(*row) for row in self.all(f"SELECT * FROM contradictions {ORDER}")]
 
+    def keep_contradictions(self, found: Iterable[Contradiction]) -> None:
+        """Keep those that another store has found."""
+        with self.transaction():
+            for each in found:
+                self.all("INSERT OR IGNORE INTO contradictions VALUES (?, ?, ?, ?, ?)", each)
+
     def forget_void(self) -> None:
         """Forget the legs that the machine failed to play, so that they are played after all."""
         with self.transaction():
