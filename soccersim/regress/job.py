@@ -5,6 +5,7 @@
 
 import os
 import time
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -41,11 +42,16 @@ class Unwanted(Exception):
     """Raised in a match that nobody waits for any more."""
 
 
-def play_leg(leg: Leg, alone: bool = False, ground: Ground | None = None) -> Played:
+def play_leg(
+    leg: Leg,
+    alone: bool = False,
+    ground: Ground | None = None,
+    wanted: Callable[[], bool] | None = None,
+) -> Played:
     """Play a match in a process of its own, each team in one too where it is played alone.
 
-    InputError where a strategy is not there, MachineError where the machine fails; Unwanted
-    where nobody wants it any more.
+    wanted: asked many times a second, as is the ground. InputError where a strategy is not there,
+    MachineError where the machine fails; Unwanted where nobody wants it any more.
     """
     start = time.perf_counter()
     if leg.engine != engine():
@@ -57,7 +63,7 @@ def play_leg(leg: Leg, alone: bool = False, ground: Ground | None = None) -> Pla
             prefix="leg-", dir=ground.folder, ignore_cleanup_errors=True
         ) as name:
             folder = Path(name)
-            tried = tried_in(folder, leg, alone, ground)
+            tried = tried_in(folder, leg, alone, ground, wanted)
             path = folder / RECORDING
             recording = path.read_bytes() if path.is_file() else b""
             if not tried.outcome:
@@ -68,7 +74,9 @@ def play_leg(leg: Leg, alone: bool = False, ground: Ground | None = None) -> Pla
         raise MachineError(f"{error.filename or 'a match'}: {error.strerror or error}") from error
 
 
-def tried_in(folder: Path, leg: Leg, alone: bool, ground: Ground) -> Attempt:
+def tried_in(
+    folder: Path, leg: Leg, alone: bool, ground: Ground, wanted: Callable[[], bool] | None
+) -> Attempt:
     """Play it once, with all its files in this folder."""
     request = Request(
         scenario_of(leg.scenario).model_copy(update={"seed": leg.seed}),
@@ -80,7 +88,7 @@ def tried_in(folder: Path, leg: Leg, alone: bool, ground: Ground) -> Attempt:
     )
 
     def look(state: State) -> None:
-        if ground.stopping.is_set():
+        if ground.stopping.is_set() or not (wanted is None or wanted()):
             raise Unwanted
 
     return attempt(request, look, None, ground.child, ground.begin, folder)
