@@ -16,6 +16,7 @@ VERBS = {  # verb: what it does; its command stands in cli/verb.py
     "reproduce": "Every table of the papers beside ours.",
     "match": "Play a match of two strategies.",
     "regress": "Is the candidate better than the base?",
+    "tournament": "Every team against every other: table and ratings.",
     "worker": "Play one shard of a regression, on a machine of its own.",
     "merge": "Put the shards of a regression together.",
     "tune": "Ziegler-Nichols gains from a simulated experiment.",
