@@ -17,6 +17,7 @@ from soccersim.regress.report.words import number, signed, span
 from soccersim.regress.rules import Fixed, Sprt
 from soccersim.regress.standing import Statistic
 
+JUDGED = {Statistic.GOALS: "goal difference", Statistic.RESULTS: "results"}
 EVIL = "<script>alert('1')</script>&\"x\"\x1b[31m\udcff\u202e"
 
 
@@ -119,7 +120,7 @@ def test_every_pair_is_in_the_table_with_its_scores(name, accounts, pages):
 @pytest.mark.parametrize("name", ACCOUNTS)
 def test_the_numbers_are_the_standings(name, accounts, pages):
     standing, page = accounts[name].standing, pages[name]
-    elo, band = page.box("normalized Elo, by what is judged")
+    elo, band = page.box(f"normalized Elo by {JUDGED[standing.statistic]}")
     assert elo == f"{signed(standing.elo.value, 1)} nElo"
     assert band == f"95 %: {span(standing.elo, 1)} nElo"
     goals, band = page.box("goal difference a match")
@@ -130,7 +131,8 @@ def test_the_numbers_are_the_standings(name, accounts, pages):
     assert page.box("log-likelihood ratio")[0] == signed(standing.llr, 2)
     assert page.box("faults")[0] == f"{standing.faults} : {standing.base_faults}"
     los = page.box("likelihood of superiority (LOS), by results")[0]
-    assert los == f"{number(100 * standing.superiority, 1)} %"
+    shown_los = f"{number(100 * standing.superiority, 1)} %"
+    assert los == ("> 99.9 %" if standing.superiority > 0.999 else shown_los)
     results = [row[1].split()[0] for row in page.rows("Results of the pairs")[1:6]]
     assert tuple(map(int, results)) == standing.counts
 

@@ -10,7 +10,6 @@ from soccersim.regress.report.words import number
 # of the drawing, in its own units: small, so that letters stay large on a phone
 WIDTH, HEIGHT = 460, 300
 LEFT, RIGHT, TOP, BOTTOM = 58, 16, 16, 50
-LETTER = 7.6  # width of a letter, about
 
 Points = Sequence[tuple[float, float]]
 
@@ -64,10 +63,13 @@ class Axes:
         place = {"cx": f"{self.px(x):.1f}", "cy": f"{self.py(y):.1f}"}
         return tag("circle", tag("title", said), r="3.2", class_=class_, **place)
 
-    def words(self, x: float, y: float, said: str, class_: str, up: float = -5.0) -> Html:
-        """Words that begin at a place, `up` below it."""
-        place = {"x": f"{self.px(x) + 5:.1f}", "y": f"{self.py(y) + up:.1f}"}
-        return tag("text", said, class_=class_, **place)
+    def words(
+        self, x: float, y: float, said: str, class_: str, below: float = -5.0, anchor: str = "start"
+    ) -> Html:
+        """Words that begin, or end, beside a place and so much below it."""
+        beside = 5.0 if anchor == "start" else -5.0
+        place = {"x": f"{self.px(x) + beside:.1f}", "y": f"{self.py(y) + below:.1f}"}
+        return tag("text", said, class_=class_, text_anchor=anchor, **place)
 
     def frame(
         self, x_label: str, y_label: str, x_whole: bool = True, y_whole: bool = False

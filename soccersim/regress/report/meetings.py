@@ -2,6 +2,7 @@
 
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
+from math import inf
 from typing import NamedTuple
 
 from soccersim.match.turn import SIDES
@@ -61,9 +62,14 @@ def played(account: Account) -> list[Played]:
 
 
 def most_different(pairs: Sequence[Played], most: int) -> list[Played]:
-    """The pairs in which most goals lay between the two, largest first; none that ended even."""
-    apart = [pair for pair in pairs if not pair.sample.void and pair.sample.difference]
-    return sorted(apart, key=lambda pair: (-abs(pair.sample.difference), pair.sample.number))[:most]
+    """The pairs between whose matches most lies: goals first, then how early they parted."""
+
+    def rank(pair: Played) -> tuple[float, float, int]:
+        parted = pair.sample.parted
+        return -abs(pair.sample.difference), inf if parted is None else parted, pair.sample.number
+
+    apart = (pair for pair in pairs if not pair.sample.void and pair.sample.diverged)
+    return sorted(apart, key=rank)[:most]
 
 
 def faults(matches: Sequence[Match]) -> Iterator[Fault]:

@@ -3,6 +3,7 @@
 from soccersim.regress.account import Account
 from soccersim.regress.report.markup import Html, join, tag
 from soccersim.regress.report.words import duration, number, several, signed, span
+from soccersim.regress.standing import Statistic
 from soccersim.regress.statistics import Estimate
 
 HOUR = 3600.0
@@ -13,13 +14,15 @@ def numbers(account: Account) -> Html:
     standing = account.standing
     lower, upper = (signed(bound, 2) for bound in standing.bounds)
     void = f", {several(standing.void, 'is', 'are')} void" if standing.void else ""
+    by_goals = standing.statistic is Statistic.GOALS
+    judged = "goal difference" if by_goals else "results"
     boxes = [
-        _estimate("normalized Elo, by what is judged", standing.elo, 1, "nElo"),
+        _estimate(f"normalized Elo by {judged}", standing.elo, 1, "nElo"),
         _estimate("goal difference a match", standing.goal_difference, 2, "goals"),
-        _estimate("normalized Elo by results alone", standing.results_elo, 1, "nElo"),
+        _estimate("normalized Elo by results", standing.results_elo, 1, "nElo") if by_goals else "",
         _box(
             "likelihood of superiority (LOS), by results",
-            f"{number(100.0 * standing.superiority, 1)} %",
+            _share(standing.superiority),
             "that the candidate is the better team",
         ),
         _box(
@@ -66,6 +69,13 @@ def speed(account: Account) -> dict[str, str]:
 def _estimate(name: str, estimate: Estimate, places: int, unit: str) -> Html:
     value = join(signed(estimate.value, places), tag("small", f" {unit}"))
     return _box(name, value, f"95 %: {span(estimate, places)} {unit}")
+
+
+def _share(share: float) -> str:
+    """In %; what is all but certain is not told as certain."""
+    if share > 0.999:
+        return "> 99.9 %"
+    return "< 0.1 %" if share < 0.001 else f"{number(100.0 * share, 1)} %"
 
 
 def _parted(account: Account) -> str:

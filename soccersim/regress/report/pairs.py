@@ -15,12 +15,12 @@ def widest(account: Account, pairs: Sequence[Played], replays: Replays) -> Html:
     """The pairs that most goals lay between, with links to what was kept of them."""
     listed = most_different(pairs, MOST)
     if not listed:
-        return tag("p", "None: every pair ended even.", class_="faint")
+        return tag("p", "None: both sides saw the same matches.", class_="faint")
     items = []
     for pair in listed:
         goals = signed(2.0 * pair.sample.difference, _places(account))
         watch = join(*(_watched(match, replays) for match in pair.legs))
-        title = tag("p", tag("strong", f"{goals} goals"), f", seed {pair.seed}")
+        title = tag("p", tag("strong", f"{goals} goals"), f", seed {pair.seed}, {_when(pair)}")
         items.append(tag("div", title, watch))
     kept = any(match.row.recording in replays for pair in listed for match in pair.legs)
     note = "" if kept else tag("p", UNSEEN, class_="faint")
@@ -110,6 +110,12 @@ def _parted(pair: Played) -> str:
     if not pair.sample.diverged:
         return "no"
     return "yes" if pair.sample.parted is None else f"tick {number(pair.sample.parted)}"
+
+
+def _when(pair: Played) -> str:
+    return (
+        "parted" if pair.sample.parted is None else f"parted at tick {number(pair.sample.parted)}"
+    )
 
 
 def _faults(pair: Played) -> str:

@@ -52,9 +52,9 @@ def llr_chart(account: Account) -> Html:
     ]
     closing = sequential and last == rule.most and standing.closing_bounds != standing.bounds
     if closing:
-        parts += [
-            axes.line(((0.94 * last, y), (last, y)), "closing") for y in standing.closing_bounds
-        ]
+        for y in standing.closing_bounds:
+            parts.append(axes.line(((0.94 * last, y), (last, y)), "closing"))
+            parts.append(axes.words(0.92 * last, y, signed(y, 2), "note", 4.0, "end"))
     parts.append(axes.line(path, "path"))
     if len(standing.path) <= LOOKS:
         parts += [
