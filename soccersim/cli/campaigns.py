@@ -14,7 +14,7 @@ import click
 from soccersim.problems import InputError, MachineError, Problem, one_line
 
 if TYPE_CHECKING:
-    from soccersim.regress.plan import Plan
+    from soccersim.regress.plan import Plan, Schedule
     from soccersim.regress.pool import Pool
     from soccersim.regress.rules import Rule
 
@@ -139,8 +139,10 @@ def own_options(name: str, scenario: str) -> dict[str, Any]:
     return next((dict(side.options) for side in sides if side.strategy == name), {})
 
 
-def place(text: str, jobs: int, scheduler: str | None) -> Place:
-    """Where the matches are played; text: the scenario of one of them, as JSON."""
+def place(schedule: "Schedule", results: Path, jobs: int, scheduler: str | None) -> Place:
+    """Where the matches are played; says so when the first one has to be."""
+    text, name = schedule.meetings[0].scenario, schedule.scenario.name
+    goes_on = "Ctrl-C stops it, and the same command goes on"
 
     def here() -> "AbstractContextManager[Pool]":
         from soccersim.cli.run import announce_compiling
@@ -148,11 +150,14 @@ def place(text: str, jobs: int, scheduler: str | None) -> Place:
         from soccersim.regress.pool import LocalPool
 
         announce_compiling()
+        how_many = f"{jobs} at a time" if jobs > 1 else "one at a time"
+        click.echo(f"playing {name}, {how_many}, into {results}; {goes_on}", err=True)
         return LocalPool(jobs, Ground(text))
 
     def cluster() -> "AbstractContextManager[Pool]":
         from soccersim.regress.cluster import cluster_pool
 
+        click.echo(f"playing {name} at {scheduler}, into {results}; {goes_on}", err=True)
         return cluster_pool(str(scheduler), text)
 
     return cluster if scheduler else here
@@ -195,9 +200,7 @@ def check_file(path: Path | None, option: str, suffixes: Sequence[str] = ()) -> 
         if path.is_dir():
             raise InputError(Problem(f"is a folder: {option} names a file", shown))
         if not path.parent.is_dir():
-            raise InputError(
-                Problem(f"there is no folder {one_line(str(path.parent), 200)}", shown)
-            )
+            raise InputError(Problem("the folder for it is not there: make it first", shown))
     except (OSError, ValueError) as error:  # a name too long, a NUL in it
         raise MachineError(f"{shown}: {getattr(error, 'strerror', None) or error}") from error
 

@@ -70,7 +70,7 @@ class Following:
         llr = f"LLR {standing.llr:.2f} in {low:.2f} .. {high:.2f}"
         if terminal:
             llr = f"LLR {low:.2f} {drawn(standing.llr, low, high)} {high:.2f}"
-        return [", ".join(first), ", ".join([*([] if fixed else [llr]), score(standing)])]
+        return [", ".join(first), *([] if fixed else [llr]), score(standing)]
 
     def matches(self, played: int, done: int, total: int) -> None:
         """Show how so many matches come along."""

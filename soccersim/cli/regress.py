@@ -115,7 +115,7 @@ def played(
     store.forget_void()
     keep_plan(store, plan, command)
     campaign = Campaign(plan, store)
-    where = place(plan.meetings[0].scenario, jobs, scheduler)
+    where = place(plan, store.path, jobs, scheduler)
     start = time.monotonic()
     try:
         with Following() as following:

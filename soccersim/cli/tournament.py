@@ -72,7 +72,7 @@ def command(
     check_scheduler(scheduler, jobs)
     path = results_file(results, ("tournament",))
     asked = drawn_up(teams, pairs, scenario, seed, duration, settings, keep)
-    where = place(asked.meetings[0].scenario, jobs or processors(), scheduler)
+    where = place(asked, path, jobs or processors(), scheduler)
     from soccersim.cli.league_tables import show
     from soccersim.regress.store import Store
 

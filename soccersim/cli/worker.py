@@ -87,7 +87,7 @@ def command(
         settings=settings,
         keep=keep,
     )
-    where = place(plan.meetings[0].scenario, jobs or processors(), scheduler)
+    where = place(plan, out, jobs or processors(), scheduler)
     with Store(out) as store:
         store.forget_void()
         keep_plan(store, plan, typed(ctx))

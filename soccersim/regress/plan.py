@@ -41,6 +41,7 @@ class Team:
 class Schedule:
     """Meetings of teams, played once on each of so many seeds."""
 
+    scenario: Scenario
     seed: int  # of pair 0
 
     @property
