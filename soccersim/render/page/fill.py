@@ -23,7 +23,7 @@ DRAWING = ("view", "pitch", "robots", "marks", "picture")  # knows nothing of re
 SCRIPTS = ("unpack", "recording", *DRAWING, "player", "timeline", "panels", "controls", "main")
 PALETTE = ("page", "card", "ink", "faint", "believed", "target")
 SHORT = 6_000  # poses up to which the finest steps are taken: four minutes of one robot
-ROOM = 690_000  # bytes of packed numbers; a page has a third more, in base64, and its own files
+ROOM = 670_000  # bytes of packed numbers; a page has a third more, in base64, and its own files
 
 
 def page(recording: Recording, title: str = "") -> str:

@@ -47,7 +47,8 @@ class Packer:
             self.add(key + KNOWN, known, order=1)
             table = held(table, known)
         below = self.shown[on] if on else 0.0
-        steps = np.rint(np.clip((table - below) / step, -FARTHEST, FARTHEST)).astype(np.int64)
+        far = FARTHEST * step
+        steps = np.rint(np.clip(table - below, -far, far) / step).astype(np.int64)
         self.shown[key] = steps * step + below
         self.told.append(
             {"key": key, "columns": table.shape[1], "step": step, "order": order, "on": on}

@@ -7,7 +7,7 @@
 //   [{x, y, age}], sightings, notes (by team), direction (home plays to x of this sign)
 // show: what the viewer wants: believed, trails, commands, seen, words, plan: true or false
 
-const APART = 3; // px between truth and belief from which a ghost is drawn
+const APART = 3; // px between truth and belief from which a ghost is drawn; more when near
 const TURNED = (5 * Math.PI) / 180;
 const LABEL = 11; // px, letters
 const TINY = 5; // px, radius; a smaller robot goes without its number, which would hide it
@@ -65,12 +65,12 @@ class Picture {
     moment.robots.forEach((robot, i) => this.drawNumber(robot, i));
     this.metres();
     moment.links.forEach((links, i) => drawArm(pen, look, stage.arms[i], links, this.pixel));
-    if (moment.ball) drawBall(pen, look, stage.ball, moment.ball, this.pixel);
     if (show.seen) {
       moment.seen.forEach((seen, team) => {
         drawSeen(pen, look, team, seen, moment.sightings[team], stage.ball || 0, this.pixel);
       });
     }
+    if (moment.ball) drawBall(pen, look, stage.ball, moment.ball, this.pixel);
     this.pixels();
     if (show.words) this.drawWords(moment);
   }
@@ -147,7 +147,7 @@ class Picture {
       const { believed } = robot;
       const apart = Math.hypot(robot.x - believed.x, robot.y - believed.y) * this.view.scale;
       const turned = Math.abs(((robot.heading - believed.heading + 3 * Math.PI) % (2 * Math.PI)) - Math.PI);
-      if (robot.inPlay && (apart > APART || turned > TURNED || i === selected)) {
+      if (robot.inPlay && (apart > APART * Math.min(this.view.zoom, 3) || turned > TURNED || i === selected)) {
         drawGhost(this.pen, this.stage.look, this.model(i), robot, this.pixel);
       }
     });

@@ -64,9 +64,9 @@ function drawGhost(pen, look, model, robot, pixel) {
   trace(pen, [[robot.x, robot.y], [believed.x, believed.y]]);
   pen.stroke();
   at(pen, believed, () => {
-    disc(pen, 0, 0, model.radius, look.believed + "30");
+    disc(pen, 0, 0, model.radius, look.believed + "20");
     sector(pen, model.radius, look.nose_angle, look.ghost_nose * model.radius);
-    pen.fillStyle = look.believed + "d7";
+    pen.fillStyle = look.believed + "a0";
     pen.fill();
     pen.lineWidth = Math.max(0.06 * model.radius, 1.6 * pixel);
     pen.beginPath();
