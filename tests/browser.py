@@ -11,6 +11,7 @@ import json
 import os
 import shutil
 import subprocess
+import sys
 import tempfile
 import time
 from collections.abc import Callable
@@ -27,6 +28,13 @@ FLAGS = (
     # tests open pages of their own, and in a container there is no sandbox to be had
     *("--no-sandbox", "--remote-debugging-pipe", "about:blank"),
 )
+LAUNCH = """\
+import fcntl, os, sys
+ends = [fcntl.fcntl(int(end), fcntl.F_DUPFD, 10) for end in sys.argv[1:3]]
+for end, number in zip(ends, (3, 4)):  # where the protocol speaks
+    os.dup2(end, number)
+os.execv(sys.argv[3], sys.argv[3:])
+"""
 PATIENCE = 20.0  # s for any answer
 
 
@@ -44,8 +52,7 @@ class Browser:
         theirs, self._to = os.pipe()
         self._from, their_answers = os.pipe()
         self.process = subprocess.Popen(
-            # the protocol speaks through 3 and 4; numbers of ours may be in the way, so twice moved
-            ["sh", "-c", f'exec "$@" 3<&{theirs} 4>&{their_answers}', "sh", *command],
+            [sys.executable, "-c", LAUNCH, str(theirs), str(their_answers), *command],
             pass_fds=(theirs, their_answers),
             stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,

@@ -244,6 +244,7 @@ window.soccersim = { app: null };
 window.soccersim.ready = start().then(
   (app) => {
     window.soccersim.app = app;
+    window.soccersim.opened = performance.now(); // ms since the page was asked for
     return true;
   },
   (error) => {
