@@ -58,7 +58,6 @@ def command(
         merge(plan, files, store)
         campaign = Campaign(plan, store)
         campaign.recall()
-        campaign.standing = campaign.look()
         if lacking := missing(plan, store):
             some = ", ".join(map(str, lacking[:SHOWN])) + (", ..." if lacking[SHOWN:] else "")
             wrong = f"{len(lacking)} of {plan.most} pairs are missing ({some})"

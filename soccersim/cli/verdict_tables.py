@@ -1,6 +1,7 @@
 """What `soccersim regress` and `merge` show at the end: the verdict first, then its evidence."""
 
 from collections import Counter
+from itertools import pairwise
 from typing import Any
 
 from rich.markup import escape
@@ -52,17 +53,16 @@ def evidence(account: Account) -> Table:
     table.add_column(overflow="fold")
     most = "" if standing.numbers == account.rule.most else f", at most {account.rule.most}"
     void = f", {standing.void} void" if standing.void else ""
-    of = "matches of both with each opponent" if account.against else "matches"
     rows = {
         "pairs": f"{standing.pairs} of {account.scenario}{most}{void}",
         "diverged": diverged(account),
         "normalized Elo": span(standing.elo, 0),
         "goals a match": span(standing.goal_difference, 2),
-        of: tally(account),
+        "matches": tally(account),
         "pairs LL LD DD DW WW": " ".join(map(str, standing.counts)),
     }
     if standing.base_counts:
-        rows["the base's"] = " ".join(map(str, standing.base_counts))
+        rows["of the base"] = " ".join(map(str, standing.base_counts))
     low, high = standing.bounds
     if isinstance(account.rule, Sprt):
         rule = f"{account.rule.low:g} and {account.rule.high:g} nElo"
@@ -152,12 +152,17 @@ def faults_table(faults: list[dict[str, Any]]) -> Table:
         table.add_column(name, justify="right", no_wrap=True)
     table.add_column("what")
     for fault in faults[:MOST_FAULTS]:
-        last = fault["detail"].strip().rpartition("\n")[2]
         where = (str(fault[key]) for key in ("pair", "leg", "tick"))
-        table.add_row(
-            escape(fault["team"]), *where, escape(one_line(f"{fault['kind']}: {last}", 200))
-        )
+        what = one_line(f"{fault['kind']}: {gist(fault['detail'])}", 200)
+        table.add_row(escape(fault["team"]), *where, escape(what))
     return table
+
+
+def gist(detail: str) -> str:
+    """The line of a traceback that names the exception; else the last one."""
+    lines = detail.strip().splitlines() or [""]
+    named = [two for one, two in pairwise(lines) if one[:1] == " " and two[:1] != " "]
+    return (named or lines)[-1]
 
 
 def span(estimate: Estimate, digits: int) -> str:

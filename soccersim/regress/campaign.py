@@ -62,14 +62,14 @@ class Campaign:
 
     def recall(self) -> None:
         """Take what is in the store, from pair 0 on until a leg is missing, or it is decided."""
-        for number in range(self.plan.rule.most):
+        for number in range(self.plan.most):
             legs = self.plan.legs_of(number)
-            rows = [self.store.row(leg.key) for leg in legs]
-            if None in rows:
+            rows = [row for leg in legs if (row := self.store.row(leg.key))]
+            if len(rows) < len(legs):
+                break
+            if any(self.take(leg, row) for leg, row in zip(legs, rows, strict=True)):
                 return
-            for leg, row in zip(legs, rows, strict=True):
-                if row and self.take(leg, row):
-                    return
+        self.standing = self.look()
 
     def play(
         self,
@@ -96,9 +96,12 @@ class Campaign:
 
     def take(self, leg: Leg, row: Row) -> bool:
         """A leg is over; whether there is a verdict now."""
-        number, found = leg.pair, self._rows.setdefault(leg.pair, {})
+        number = leg.pair
+        self._places[leg.key] = number, leg.leg
+        if number in self.samples:  # two opponents with the same code: their matches are the same
+            return False
+        found = self._rows.setdefault(number, {})
         found[leg.key] = row
-        self._places[leg.key] = leg.pair, leg.leg
         legs = self.plan.legs_of(number)
         if len(found) < len({each.key for each in legs}):
             return False

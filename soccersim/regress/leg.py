@@ -75,7 +75,7 @@ def told(scenario: Scenario, home: tuple[Bundle, Options], away: tuple[Bundle, O
     return scenario.model_copy(update={"match": match}).model_dump_json()
 
 
-@lru_cache(16)
+@lru_cache(1024)  # two for every two teams that meet
 def identity(text: str) -> str:
     """SHA-256 of a scenario, without its seed and what is a name alone."""
     told = json.loads(text)

@@ -1,12 +1,17 @@
 """Teams, legs and pools of quick matches."""
 
+import sys
 import textwrap
 from concurrent.futures import Future
+from dataclasses import dataclass
 
+import make_believe
 import pytest
 
 from soccersim import load_scenario
+from soccersim.cli.main import main
 from soccersim.regress.bundle import bundle
+from soccersim.regress.database import Database
 from soccersim.regress.ground import Ground
 from soccersim.regress.leg import pair_of
 from soccersim.regress.pool import LocalPool
@@ -98,3 +103,59 @@ class Told:
 def told():
     """Makes such a pool."""
     return Told
+
+
+@dataclass(frozen=True)
+class Ended:
+    """How a command ended."""
+
+    code: int
+    out: str
+    err: str
+
+    @property
+    def lines(self):
+        """What stands on standard error."""
+        return self.err.splitlines()
+
+
+@pytest.fixture
+def verb(tmp_path, monkeypatch, capsys):
+    """Runs a command line in an empty folder; the matches are make-believe ones."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("soccersim.regress.ground.Ground", make_believe.Ground)
+    monkeypatch.setattr("soccersim.regress.pool.LocalPool", make_believe.Pool)
+    make_believe.Pool.opened, make_believe.Pool.begun = 0, []
+    take = Database._take
+
+    def hasty(self, tables):
+        take(self, tables)
+        self.all("PRAGMA synchronous = OFF")
+        self.all("PRAGMA journal_mode = MEMORY")
+
+    monkeypatch.setattr(Database, "_take", hasty)
+
+    def run(*words):
+        monkeypatch.setattr(sys, "argv", ["soccersim", *map(str, words)])
+        monkeypatch.setattr(sys, "unraisablehook", sys.unraisablehook)  # main puts its own
+        capsys.readouterr()
+        code = 0
+        try:
+            main()
+        except SystemExit as stop:
+            code = stop.code or 0
+        return Ended(code, *capsys.readouterr())
+
+    return run
+
+
+@pytest.fixture
+def strategies(tmp_path):
+    """Writes teams for make-believe matches: old.py, and more with what is said of them."""
+
+    def write(**said):
+        for name, words in {"old": "", **said}.items():
+            text = f"# {words}\nclass Team:\n    def decide(self, view):\n        return []\n"
+            (tmp_path / f"{name}.py").write_text(text, encoding="utf-8")
+
+    return write
