@@ -297,3 +297,11 @@ def test_ten_minutes_open_in_under_a_second(opened, pages, tmp_path):
 def test_short_match_opens_in_under_a_second(opened, pages):
     tab = opened(pages(match(20.0), "short"))
     assert tab.run("soccersim.opened") < 1000
+
+
+def test_even_a_window_of_a_few_pixels_is_drawn(opened):
+    tab = opened(width=120, height=60)
+    tab.run("Object.assign(field.style, {width: '3px', height: '2px'}); soccersim.app.resize()")
+    tab.run("Object.keys(soccersim.app.show).forEach(key => soccersim.app.show[key] = true)")
+    go(tab, 3.0)
+    assert tab.run("soccersim.app.moment.time") == 3.0

@@ -67,7 +67,7 @@ function drawCommand(pen, colour, radius, robot, pixel) {
 function drawTarget(pen, look, pose, pixel) {
   const radius = Math.max(look.target_radius, 7 * pixel);
   pen.strokeStyle = pen.fillStyle = look.target;
-  pen.lineWidth = Math.max(0.16 * radius, 1.6 * pixel);
+  pen.lineWidth = Math.max(0.16 * radius, 1.6 * pixel); // far less than the radius
   at(pen, pose, () => {
     pen.beginPath();
     pen.arc(0, 0, radius - pen.lineWidth / 2, 0, 2 * Math.PI);
@@ -171,14 +171,19 @@ function overlap(a, b) {
   return Math.abs(a.u - b.u) * 2 < a.width + b.width && Math.abs(a.v - b.v) * 2 < a.height + b.height;
 }
 
+// A middle moved so that what is so long to either side lies between 0 and the end.
+function within(middle, half, end) {
+  return middle < -half || middle > end + half ? middle : Math.min(Math.max(middle, half), end - half);
+}
+
 // Labels beside their robots where they hide nothing, as far as possible.
-function drawLabels(pen, labels, taken, size) {
+function drawLabels(pen, view, labels, taken, size) {
   pen.font = `500 ${size}px system-ui, sans-serif`;
   for (const { text, u, v, radius, ink } of labels) {
     const [width, height] = [pen.measureText(text).width + 8, size * 1.4];
     const tries = SIDES.map(([across, down]) => ({
-      u: u + across * (radius + 2 + width / 2),
-      v: v + down * (radius + 2 + height / 2),
+      u: within(u + across * (radius + 2 + width / 2), width / 2, view.width),
+      v: within(v + down * (radius + 2 + height / 2), height / 2, view.height),
       width,
       height,
     }));

@@ -171,7 +171,7 @@ class Picture {
       taken.push({ u, v, width: 1.6 * radius, height: 1.6 * radius });
       return { u, v, radius, text: robot.label.trim(), ink: this.inks[stage.robots[i].team] };
     });
-    drawLabels(pen, places.filter((place) => place.text), taken, LABEL);
+    drawLabels(pen, view, places.filter((place) => place.text), taken, LABEL);
   }
 
   // The robot under a pixel, or near it; -1: none.

@@ -23,7 +23,7 @@ function drawRobot(pen, look, model, team, robot, pixel) {
   if (!robot.inPlay) pen.globalAlpha = look.dim;
   disc(pen, robot.x + 0.06 * radius, robot.y - 0.09 * radius, radius, look.shadow);
   at(pen, robot, () => {
-    const shell = radius - Math.max(0.05 * radius, pixel);
+    const shell = radius - Math.min(Math.max(0.05 * radius, pixel), 0.3 * radius);
     disc(pen, 0, 0, radius, look.outline);
     disc(pen, 0, 0, shell, look.rims[team]);
     disc(pen, 0, 0, 0.9 * shell, look.teams[team]);
@@ -68,7 +68,7 @@ function drawGhost(pen, look, model, robot, pixel) {
     sector(pen, model.radius, look.nose_angle, look.ghost_nose * model.radius);
     pen.fillStyle = look.believed + "a0";
     pen.fill();
-    pen.lineWidth = Math.max(0.06 * model.radius, 1.6 * pixel);
+    pen.lineWidth = Math.min(Math.max(0.06 * model.radius, 1.6 * pixel), model.radius);
     pen.beginPath();
     pen.arc(0, 0, model.radius - pen.lineWidth / 2, 0, 2 * Math.PI);
     pen.stroke();
