@@ -115,8 +115,9 @@ def planned(
     from soccersim.regress.bundle import bundle
     from soccersim.regress.plan import Plan, Team
 
+    given = own_options(scenario)
     own = [
-        f"match.{side}.options={json.dumps(own_options(name, scenario))}"
+        f"match.{side}.options={json.dumps(given.get(name, {}))}"
         for side, name in (("home", base), ("away", candidate))
     ]
     spec = match_request(
@@ -126,17 +127,17 @@ def planned(
     home, away = (spec.match.home, spec.match.away) if spec.match else (None, None)
     one = Team(bundle(base), home.options if home else {})
     two = Team(bundle(candidate), away.options if away else {})
-    opponents = tuple(Team(bundle(name), own_options(name, scenario)) for name in against)
+    opponents = tuple(Team(bundle(name), given.get(name, {})) for name in against)
     return Plan(spec, one, two, opponents, rule, spec.seed, keep)
 
 
-def own_options(name: str, scenario: str) -> dict[str, Any]:
-    """What the scenario itself gives to a strategy of this name."""
+def own_options(scenario: str) -> dict[str, dict[str, Any]]:
+    """What the scenario itself gives to its teams, by their strategies' names."""
     from soccersim.spec.load import load_scenario
 
     match = load_scenario(scenario).match
-    sides = (match.home, match.away) if match else ()
-    return next((dict(side.options) for side in sides if side.strategy == name), {})
+    sides = (match.away, match.home) if match else ()
+    return {side.strategy: dict(side.options) for side in sides}
 
 
 def place(schedule: "Schedule", results: Path, jobs: int, scheduler: str | None) -> Place:

@@ -121,7 +121,8 @@ def drawn_up(
         teams[0], teams[1], scenario, seed=seed, duration=duration, settings=settings
     )
     check_seeds(asked.scenario.seed, pairs)
-    entered = tuple(Team(bundle(name), own_options(name, scenario)) for name in teams)
+    given = own_options(scenario)
+    entered = tuple(Team(bundle(name), given.get(name, {})) for name in teams)
     return Tournament(asked.scenario, entered, pairs, asked.scenario.seed, keep)
 
 

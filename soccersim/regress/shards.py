@@ -93,12 +93,12 @@ def different(one: Mapping[str, Any], other: Mapping[str, Any]) -> list[str]:
 
 
 def bare(told: Any) -> Any:
-    """A part of a document without the names of teams."""
+    """A part of a document without the names of teams, and the seed that stands beside it."""
     if isinstance(told, list):
         return [bare(each) for each in told]
     if not isinstance(told, dict):
         return told
-    dropped = ("name",) if "sha" in told else ("strategy",) if "strategy" in told else ()
+    dropped = ("name",) if "sha" in told else ("strategy", "seed")
     return {key: bare(value) for key, value in told.items() if key not in dropped}
 
 
