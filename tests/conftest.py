@@ -1,6 +1,15 @@
-"""Makes tests/factory.py importable from every test, and gives hypothesis time to compile."""
+"""Makes tests/factory.py importable from every test, and says how many processes run them."""
+
+import os
 
 from hypothesis import settings
 
-settings.register_profile("patient", deadline=None)
+settings.register_profile("patient", deadline=None)  # gives hypothesis time to compile
 settings.load_profile("patient")
+
+
+def pytest_xdist_auto_num_workers(config):
+    """A process a core for the whole suite; none for tests that were chosen, or that measure."""
+    whole = config.args == config.getini("testpaths") and not config.option.keyword
+    quick = config.option.markexpr == "not slow and not benchmark"
+    return os.cpu_count() if whole and quick else 0

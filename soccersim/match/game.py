@@ -72,7 +72,8 @@ class Game:
         until: int | None = None,
     ) -> Result:
         """Play until the time is up, or the tick `until`, or a team forfeits; HOME's seat first."""
-        simulation, score, faults = self.simulation, None, []
+        simulation, score = self.simulation, None
+        faults: list[TeamFault] = []
         while simulation.tick != until:
             tick = simulation.tick
             m = simulation.machine
@@ -87,9 +88,9 @@ class Game:
                     break
                 try:
                     answers = self._ask(seats, tick)
-                except ForfeitBy as forfeit:
-                    faults.append(forfeit.fault(tick))
-                    score = forfeited(self.referee.score, forfeit.slot)
+                except Forfeits as forfeits:
+                    faults = forfeits.faults(tick)
+                    score = forfeits.score(self.referee.score)
                     break
                 self._send(answers, tick)
                 self.log.add(tick, self, answers)
@@ -119,12 +120,14 @@ class Game:
         for slot, seat in enumerate(seats):
             self._fill(slot, tick)
             seat.ask(self.sheets[slot])
-        answers = []
+        answers, forfeits = [], {}
         for slot, seat in enumerate(seats):
             try:
                 answers.append(seat.answer())
             except Forfeit as forfeit:
-                raise ForfeitBy(slot, forfeit) from forfeit
+                forfeits[slot] = forfeit
+        if forfeits:
+            raise Forfeits(forfeits)
         return answers
 
     def _fill(self, slot: int, tick: int) -> None:
@@ -164,13 +167,17 @@ class Game:
         return Result(recording, score, faults)
 
 
-class ForfeitBy(Exception):
-    """A forfeit, and whose it is."""
+class Forfeits(Exception):
+    """Of one team, or of both at once."""
 
-    def __init__(self, slot: int, forfeit: Forfeit) -> None:
-        super().__init__(slot, forfeit)
-        self.slot, self.forfeit = slot, forfeit
+    def __init__(self, slots: dict[int, Forfeit]) -> None:
+        super().__init__(slots)
+        self.slots = slots
 
-    def fault(self, tick: int) -> TeamFault:
+    def faults(self, tick: int) -> list[TeamFault]:
         """The same as the result tells it."""
-        return TeamFault(SIDES[self.slot], self.forfeit.kind, tick, self.forfeit.detail)
+        return [TeamFault(SIDES[i], each.kind, tick, each.detail) for i, each in self.slots.items()]
+
+    def score(self, score: tuple[int, int]) -> tuple[int, int]:
+        """That the match ends with; where both are at fault, as it stands."""
+        return score if len(self.slots) == 2 else forfeited(score, *self.slots)

@@ -4,6 +4,7 @@ What ends a whole process stands in test_team_process.py and test_supervise.py.
 """
 
 import pytest
+from play import play
 from stand_in import sheet
 
 from soccersim.match.faults import Forfeit, forfeited
@@ -174,3 +175,13 @@ def test_a_forfeit_counts_three_to_none_or_what_is_worse():
     assert forfeited((1, 6), 0) == (1, 6)
     assert forfeited((2, 1), 1) == (3, 0)
     assert forfeited((7, 2), 1) == (7, 2)
+
+
+def test_two_teams_that_fail_at_one_decision_are_both_at_fault_and_neither_wins(team):
+    wrong = team("1 / 0")
+    result = play(wrong, wrong, "duration=2")
+    assert [(fault.side, fault.kind) for fault in result.faults] == [
+        ("home", "exception"),
+        ("away", "exception"),
+    ]
+    assert result.score == (0, 0)
