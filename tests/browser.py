@@ -196,6 +196,14 @@ class Tab:
         count = 0 if kind == "mouseMoved" else 1
         self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button=button, clickCount=count)
 
+    def touch(self, *fingers: list[tuple[float, float]]) -> None:
+        """Fingers that go from place to place together, and then leave the window."""
+        for number, places in enumerate(zip(*fingers, strict=True)):
+            kind = "touchMove" if number else "touchStart"
+            points = [{"x": x, "y": y, "id": i} for i, (x, y) in enumerate(places)]
+            self.call("Input.dispatchTouchEvent", type=kind, touchPoints=points)
+        self.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+
     def complaints(self) -> list[str]:
         """What stands in the page's console as a warning or an error."""
         self.run("0")  # all that was said before has come now

@@ -97,6 +97,15 @@ def go(tab, time):
     tab.run("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
 
 
+def on_screen(tab, x, y):
+    """A place of the field as one of the window."""
+    u, v = tab.run(f"""(b => {{
+      const [u, v] = soccersim.app.picture.view.pixel({x}, {y});
+      return [b.x + u, b.y + v];
+    }})(field.getBoundingClientRect())""")
+    return u, v
+
+
 def test_shows_the_poses_of_the_recording_at_a_time(opened, recording):
     tab = opened()
     for time in (0.0, 1.0, 4.48, 11.96):
@@ -195,11 +204,7 @@ def test_follows_the_robot_that_was_clicked_and_tells_its_numbers(opened, record
     tab = opened()
     go(tab, 2.0)
     x, y, _ = recording.body[2 * RECORD_HZ, 2, :3].tolist()
-    script = f"""(b => {{
-      const [u, v] = soccersim.app.picture.view.pixel({x}, {y});
-      return [b.x + u, b.y + v];
-    }})(field.getBoundingClientRect())"""
-    tab.click(*tab.run(script))
+    tab.click(*on_screen(tab, x, y))
     tab.press("f")
     go(tab, 6.0)
     x, y, _ = recording.body[6 * RECORD_HZ, 2, :3].tolist()
@@ -257,6 +262,32 @@ def test_on_a_phone_the_field_stands_upright_and_nothing_is_cut_off(opened):
     assert tab.run(f"Math.min(...{buttons}.map(b => b.getBoundingClientRect().width))") >= 30
     assert tab.run(f"Math.max(...{buttons}.map(b => b.getBoundingClientRect().right))") <= 390
     assert tab.run("toggles.getBoundingClientRect().top") < 844
+
+
+def test_fingers_pick_zoom_and_scrub(opened, recording):
+    tab = opened(width=390, height=844, touch=True, ratio=2.0)
+    go(tab, 2.0)
+    x, y, _ = recording.body[2 * RECORD_HZ, 6, :3].tolist()
+    robot = on_screen(tab, x, y)
+    tab.touch([robot])
+    assert tab.run("soccersim.app.selected") == 6
+    left, right = on_screen(tab, 0, 3), on_screen(tab, 0, -3)
+    apart = [(left[0] - 40, left[1]), (right[0] + 40, right[1])]
+    tab.touch([left, apart[0]], [right, apart[1]])
+    assert tab.run("soccersim.app.picture.view.zoom") > 1.3
+    tab.wait("!whole.hidden")
+    box = tab.run("(b => [b.x, b.y, b.width, b.height])(timeline.getBoundingClientRect())")
+    x, y = box[0] + box[2] / 4, box[1] + box[3] / 2
+    tab.touch([(x, y), (x + box[2] / 4, y)])
+    assert tab.run("soccersim.app.player.time") == pytest.approx(SECONDS / 2, abs=0.1)
+    assert tab.run("soccersim.app.selected") == 6
+
+
+def test_address_may_name_a_moment(opened, address):
+    tab = opened(f"{address}#t=4.5")
+    assert tab.run("soccersim.app.player.time") == 4.5
+    tab.run("location.hash = 't=99'")
+    tab.wait(f"soccersim.app.player.time === {SECONDS}")
 
 
 def test_run_shows_its_path_and_its_wheels(opened, pages):

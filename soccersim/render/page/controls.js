@@ -6,9 +6,9 @@ const CLOSE = 3; // times as large as the whole field when a robot is followed
 
 const TOGGLES = [
   // what, its name, its key, whether it makes sense here
-  ["believed", "believed poses", "b", () => true],
+  ["believed", "believed poses", "b", (told) => told.robots.length > 0],
   ["trails", "trails", "t", () => true],
-  ["commands", "commands", "c", (told, channels) => Boolean(channels.command_x)],
+  ["commands", "commands", "c", (told, channels) => told.robots.length > 0 && Boolean(channels.command_x)],
   ["seen", "believed ball", "k", (told) => Boolean(told.match) && told.ball !== null],
   ["words", "labels and notes", "l", (told) => Boolean(told.match)],
   ["plan", "path and target", "r", (told) => told.robots.some((robot) => robot.targets.length)],

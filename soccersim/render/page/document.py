@@ -172,8 +172,8 @@ def _run_state(recording: Recording, record: int) -> tuple[str, int | None, str]
         return word, None, "driven without a plan"
     target = targets[leg_number(players[0], leg)]
     x, y, heading = recording.scenario.coordinates.field_pose(target.to)
-    about = f"to ({x:.2f}, {y:.2f}) m, {heading * 180 / pi:.0f}°"
-    return word, None, about.replace("-", MINUS)
+    x, y, degrees = round(x, 2) + 0.0, round(y, 2) + 0.0, round(heading * 180 / pi) + 0.0
+    return word, None, f"to ({x:.2f}, {y:.2f}) m, {degrees:.0f}°".replace("-", MINUS)
 
 
 def _changes(values: list[Any]) -> list[list[Any]]:

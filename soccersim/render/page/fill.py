@@ -31,7 +31,7 @@ def page(recording: Recording, title: str = "") -> str:
     if len(recording.tick) == 0:
         raise InputError(Problem("the recording is empty: there is nothing to show"))
     story = Story(recording) if recording.match else None
-    title = title or _title(recording, story)
+    title = (title or _title(recording, story)).encode(errors="replace").decode()
     poses = len(frames(recording, FINE.hz)) * recording.body.shape[1]
     if poses <= SHORT:
         data = _packed(recording, story, title, FINEST)

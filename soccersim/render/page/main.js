@@ -72,8 +72,9 @@ class App {
     setText(byId("away"), names[1]);
     byId("away").hidden = !told.match;
     byId("figures").hidden = !told.match;
+    byId("robots").hidden = !told.robots.length;
     setText(byId("source"), `${told.scenario} · seed ${told.seed} · soccersim ${told.soccersim} · ${told.digest.slice(0, 12)}`);
-    fillEvents(told.events, (event) => this.player.seek(event.time));
+    fillEvents(told.events, told.match ? 0 : 1, (event) => this.player.seek(event.time));
     const wide = Math.max(...[0, 1].map((team) => told.robots.filter((robot) => robot.team === team).length));
     byId("badges").style.setProperty("--wide", wide);
     byId("badges").replaceChildren(...told.robots.map((robot, i) => {

@@ -159,11 +159,11 @@ function wheels(recording, index, row) {
 }
 
 // The list of events, each a button that goes there.
-function fillEvents(events, go) {
+function fillEvents(events, decimals, go) {
   const items = events.filter((event) => event.level > 0).map((event) => {
     const button = make("button", "", { type: "button", "data-level": event.level, "data-kind": event.kind, title: event.rule || "" });
     if (event.side !== null) button.dataset.team = event.side;
-    button.append(make("time", clock(event.time)), make("i"), make("span", event.text));
+    button.append(make("time", clock(event.time, decimals)), make("i"), make("span", event.text));
     button.addEventListener("click", () => go(event));
     const item = make("li");
     item.append(button);

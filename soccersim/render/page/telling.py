@@ -52,7 +52,7 @@ def _ended(leg: dict[str, Any]) -> str:
     target, truth = leg["target"], leg["truth"]
     if target is None:
         return "driven"
-    off = distance_text(hypot(truth[0] - target[0], truth[1] - target[1]))
+    off = distance_text(hypot(truth[0] - target[0], truth[1] - target[1])).replace(" ", "\u00a0")
     turned = angle_text((degrees(truth[2] - target[2]) + 180) % 360 - 180)
     word = "reached" if leg["reached"] else "timed out"
     return f"{word}, off by {off} and {turned}"
