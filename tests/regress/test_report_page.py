@@ -293,3 +293,14 @@ def test_letters_can_be_read_on_what_they_stand_on(theme):
     for one, other in pairs:
         bright, dark = sorted((luminance(one), luminance(other)), reverse=True)
         assert (bright + 0.05) / (dark + 0.05) >= 4.5, (one, other)
+
+
+def test_what_was_not_asked_is_not_answered():
+    """Between -50 and 0 a PASS means as good as before, between 0 and 50 a FAIL no better."""
+    season = Season().play(400)
+    for rule in (Sprt(-50.0, 0.0), Sprt(0.0, 50.0)):
+        account = season.account(rule)
+        said = Page(html(account)).all("header")[0]["text"]
+        wanted = {"PASS": "holds up against", "FAIL": "is no better than"}
+        assert wanted[account.standing.verdict.value] in said
+        assert "plays" not in said

@@ -60,10 +60,18 @@ def word(account: Account) -> str:
 
 def outcome(account: Account) -> str:
     """What the verdict says of the two teams."""
-    candidate, base = account.candidate, account.base
+    candidate, base, rule = account.candidate, account.base, account.rule
+    better = f"{candidate} plays better than {base}."
+    worse = f"{candidate} plays worse than {base}."
+    if isinstance(rule, Sprt):  # what was asked may not have been which is better
+        low, high = signed(rule.low, 1), signed(rule.high, 1)
+        if rule.high <= 0.0:
+            better = f"{candidate} holds up against {base}: {high} nElo is likelier than {low}."
+        if rule.low >= 0.0:
+            worse = f"{candidate} is no better than {base}: {low} nElo is likelier than {high}."
     said = {
-        Verdict.PASS: f"{candidate} plays better than {base}.",
-        Verdict.FAIL: f"{candidate} plays worse than {base}.",
+        Verdict.PASS: better,
+        Verdict.FAIL: worse,
         Verdict.INCONCLUSIVE: f"It is not clear which of {candidate} and {base} plays better.",
         Verdict.IDENTICAL: f"{candidate} played just as {base} does.",
         Verdict.INVALID: f"These matches do not tell which of {candidate} and {base} is better.",
