@@ -139,6 +139,20 @@ def test_draws_robots_in_their_colours_where_they_are(opened, recording):
     assert tab.run(f"{PIXEL}([9.0, 5.0])")[:3] in [list(colour) for colour in look.GRASS]
 
 
+def test_draws_an_upright_field_as_well(opened, recording):
+    tab = opened(width=390, height=844, touch=True, ratio=2.0)
+    tab.run("Object.assign(soccersim.app.show, {believed: false, words: false, trails: false})")
+    tab.run("soccersim.app.pick(8); soccersim.app.follow(true)")
+    go(tab, 6.0)
+    x, y, heading = recording.body[6 * RECORD_HZ, 8, :3].tolist()
+    shown = {}
+    for part, away in (("nose", 0.0), ("shell", radians(105)), ("other", radians(-105))):
+        place = [x + 0.16 * cos(heading + away), y + 0.16 * sin(heading + away)]
+        shown[part] = tuple(tab.run(f"{PIXEL}({place})")[:3])
+    away = look.TEAMS["away"]
+    assert shown == {"nose": look.NOSE, "shell": away, "other": away}
+
+
 def test_plays_at_its_speed_and_pauses(opened):
     tab = opened()
     tab.run("soccersim.app.player.setSpeed(4)")

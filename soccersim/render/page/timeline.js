@@ -2,6 +2,7 @@
 
 const EDGE = 8; // px at either end
 const NEAR = 7; // px from a mark at which it tells
+const INKS = ["home", "away", "edge", "faint", "ink", "home-ink", "away-ink"]; // of page.css
 const TOLD = 4; // events at most that a tip tells
 
 class Timeline {
@@ -15,10 +16,6 @@ class Timeline {
     element.setAttribute("aria-valuemax", duration.toFixed(2));
   }
 
-  get width() {
-    return Math.max(1, this.canvas.clientWidth - 2 * EDGE);
-  }
-
   x(time) {
     return EDGE + (this.width * time) / (this.duration || 1);
   }
@@ -30,28 +27,30 @@ class Timeline {
   // Paints all that stands still.
   resize() {
     this.ratio = window.devicePixelRatio || 1;
+    const { clientWidth, clientHeight } = this.canvas;
+    this.width = Math.max(1, clientWidth - 2 * EDGE);
     for (const canvas of [this.canvas, this.still]) {
-      canvas.width = Math.max(1, Math.round(this.canvas.clientWidth * this.ratio));
-      canvas.height = Math.max(1, Math.round(this.canvas.clientHeight * this.ratio));
+      canvas.width = Math.max(1, Math.round(clientWidth * this.ratio));
+      canvas.height = Math.max(1, Math.round(clientHeight * this.ratio));
     }
     const style = getComputedStyle(document.documentElement);
-    this.colour = (name) => style.getPropertyValue(`--${name}`).trim();
+    this.colours = Object.fromEntries(INKS.map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
     const pen = this.still.getContext("2d");
     pen.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
-    this.middle = this.canvas.clientHeight / 2;
+    this.middle = clientHeight / 2;
     this.paintRibbon(pen);
     this.paintMarks(pen);
   }
 
   paintRibbon(pen) {
     const pieces = this.ribbon(Math.round(this.width));
-    const colours = ["home", "away", "edge"].map(this.colour);
+    const colours = ["home", "away", "edge"].map((name) => this.colours[name]);
     pieces.forEach((team, i) => {
       pen.fillStyle = colours[team < 0 ? 2 : team];
       pen.fillRect(EDGE + i, this.middle - 3, 1.5, 6);
     });
     if (this.notch) {
-      pen.fillStyle = this.colour("faint");
+      pen.fillStyle = this.colours.faint;
       pen.fillRect(this.x(this.notch) - 0.5, this.middle - 12, 1, 24);
     }
   }
@@ -67,18 +66,18 @@ class Timeline {
 
   paintMark(pen, event) {
     const x = this.x(event.time);
-    const ink = [this.colour("home-ink"), this.colour("away-ink")][event.side] || this.colour("faint");
+    const ink = this.colours[["home-ink", "away-ink"][event.side] || "faint"];
     if (event.kind === "shot" || event.kind === "reached") disc(pen, x, this.lane(event), 3, ink);
     else if (event.level > 1) {
-      pen.fillStyle = this.colour("faint");
+      pen.fillStyle = this.colours.faint;
       pen.fillRect(x - 0.5, this.middle - 6, 1, 12);
     }
   }
 
   paintGoal(pen, event) {
     const x = this.x(event.time);
-    disc(pen, x, this.lane(event), 7, this.colour("ink"));
-    disc(pen, x, this.lane(event), 5.5, this.colour(event.side === 1 ? "away" : "home"));
+    disc(pen, x, this.lane(event), 7, this.colours.ink);
+    disc(pen, x, this.lane(event), 5.5, this.colours[event.side === 1 ? "away" : "home"]);
   }
 
   draw(time) {
@@ -92,9 +91,9 @@ class Timeline {
     const played = Math.round(x * this.ratio);
     if (played > 0) pen.drawImage(this.still, 0, 0, played, this.still.height, 0, 0, played, this.still.height);
     pen.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
-    pen.fillStyle = this.colour("ink");
+    pen.fillStyle = this.colours.ink;
     pen.fillRect(x - 1, 3, 2, 2 * this.middle - 6);
-    disc(pen, x, this.middle, 5, this.colour("ink"));
+    disc(pen, x, this.middle, 5, this.colours.ink);
     this.element.setAttribute("aria-valuenow", time.toFixed(2));
     this.element.setAttribute("aria-valuetext", clock(time, 2));
   }

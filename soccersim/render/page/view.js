@@ -41,11 +41,6 @@ class View {
     return [a * x + c * y + e, b * x + d * y + f];
   }
 
-  // The direction on the screen of an angle on the field, clockwise as canvases turn.
-  angle(heading) {
-    return this.upright ? -heading - Math.PI / 2 : -heading;
-  }
-
   place(u, v) {
     const s = this.scale;
     const [right, down] = [(u - this.width / 2) / s, (v - this.height / 2) / s];
