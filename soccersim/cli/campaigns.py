@@ -143,7 +143,13 @@ def own_options(scenario: str) -> dict[str, dict[str, Any]]:
 def place(schedule: "Schedule", results: Path, jobs: int, scheduler: str | None) -> Place:
     """Where the matches are played; says so when the first one has to be."""
     text, name = schedule.meetings[0].scenario, schedule.scenario.name
-    goes_on = "Ctrl-C stops it, and the same command goes on"
+    said: list[str] = []
+
+    def say(where: str) -> None:
+        goes_on = "Ctrl-C stops it, and the same command goes on"
+        if not said:
+            said.append(f"playing {name}{where}, into {results}; {goes_on}")
+            click.echo(said[0], err=True)
 
     def here() -> "AbstractContextManager[Pool]":
         from soccersim.cli.run import announce_compiling
@@ -151,14 +157,13 @@ def place(schedule: "Schedule", results: Path, jobs: int, scheduler: str | None)
         from soccersim.regress.pool import LocalPool
 
         announce_compiling()
-        how_many = f"{jobs} at a time" if jobs > 1 else "one at a time"
-        click.echo(f"playing {name}, {how_many}, into {results}; {goes_on}", err=True)
+        say(f", {jobs} at a time" if jobs > 1 else ", one at a time")
         return LocalPool(jobs, Ground(text))
 
     def cluster() -> "AbstractContextManager[Pool]":
         from soccersim.regress.cluster import cluster_pool
 
-        click.echo(f"playing {name} at {scheduler}, into {results}; {goes_on}", err=True)
+        say(f" at {scheduler}")
         return cluster_pool(str(scheduler), text)
 
     return cluster if scheduler else here

@@ -20,6 +20,7 @@ VERBS = {  # verb: what it does; its command stands in cli/verb.py
     "worker": "Play one shard of a regression, on a machine of its own.",
     "merge": "Put the shards of a regression together.",
     "tune": "Ziegler-Nichols gains from a simulated experiment.",
+    "live": "The base station: watch and steer a simulation in a browser.",
     "replay": "Look at a recording again, or check it bit by bit.",
     "bench": "Measure this machine's speed, beside the floor.",
     "new": "Write a strategy to start from, with its test.",

@@ -63,5 +63,5 @@ def command(
             wrong = f"{len(lacking)} of {plan.most} pairs are missing ({some})"
             raise InputError(Problem(f"{wrong}: name the files of all shards"))
         account = campaign.account(typed(ctx), 1, 1.0)
-        tell(account, report, junit, as_json)
+        tell(account, report, junit, strict, as_json)
     ctx.exit(exit_code_of(account, strict))

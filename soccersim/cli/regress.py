@@ -97,19 +97,24 @@ def command(
     from soccersim.regress.store import Store
 
     with Store(path) as store:
-        account = played(plan, store, typed(ctx), jobs or processors(), scheduler)
-        tell(account, report, junit, as_json)
+        filmed = report is not None and keep != "none"
+        account = played(plan, store, typed(ctx), jobs or processors(), scheduler, filmed)
+        tell(account, report, junit, strict, as_json)
     ctx.exit(exit_code_of(account, strict))
 
 
 def played(
-    plan: "Plan", store: "Store", command: str, jobs: int, scheduler: str | None = None
+    plan: "Plan", store: "Store", command: str, jobs: int, scheduler: str | None, filmed: bool
 ) -> "Account":
-    """Play it to its verdict. Ctrl-C keeps what is through."""
+    """Play it to its verdict. Ctrl-C keeps what is through.
+
+    filmed: play the pairs that differ most once more, where they have no recordings.
+    """
     import time
 
     from soccersim.cli.following import Following
     from soccersim.regress.campaign import Campaign
+    from soccersim.regress.filming import film, unfilmed
     from soccersim.regress.shards import keep_plan
 
     store.forget_void()
@@ -120,12 +125,16 @@ def played(
     try:
         with Following() as following:
             campaign.play(where, following.campaign)
+        seconds = time.monotonic() - start
+        if filmed and (legs := unfilmed(campaign)):
+            click.echo(f"playing {len(legs)} matches again, for their replays", err=True)
+            film(campaign, legs, where)
     except KeyboardInterrupt:
         raise Stopped(
             f"stopped after {campaign.whole} of {plan.rule.most} pairs; {store.path} keeps "
             f"{store.count()} matches: the same command goes on from there"
         ) from None
-    return campaign.account(command, jobs, time.monotonic() - start)
+    return campaign.account(command, jobs, seconds)
 
 
 def rule_of(

@@ -33,7 +33,9 @@ def check_outputs(report: Path | None, junit: Path | None) -> None:
     check_file(junit, "--junit", XML)
 
 
-def tell(account: "Account", report: Path | None, junit: Path | None, as_json: bool) -> None:
+def tell(
+    account: "Account", report: Path | None, junit: Path | None, strict: bool, as_json: bool
+) -> None:
     """Print what it came to, and write the files that were asked for."""
     import json
 
@@ -47,14 +49,15 @@ def tell(account: "Account", report: Path | None, junit: Path | None, as_json: b
     if report:
         from soccersim.regress.report import write_report
 
-        for path in write_report(account, report):
-            click.echo(f"wrote {path}", err=True)
+        page, *replays = write_report(account, report)
+        beside = f", and {len(replays)} replays beside it" if replays else ""
+        click.echo(f"wrote {page}{beside}", err=True)
     if junit:
         from soccersim.regress.report import junit as junit_of
 
         files = Results(junit.parent, (junit.name,), force=True)
         with files.new(junit.name) as path:
-            path.write_text(junit_of(account), encoding="utf-8")
+            path.write_text(junit_of(account, strict), encoding="utf-8")
         click.echo(f"wrote {junit}", err=True)
 
 

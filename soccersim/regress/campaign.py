@@ -6,7 +6,7 @@ stopped, and however many matches it plays at a time, it comes to the same end.
 
 import json
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import AbstractContextManager, closing
 from dataclasses import replace
 
@@ -113,6 +113,14 @@ class Campaign:
         if self.is_due():
             self.standing = self.look()
         return self.standing.verdict is not None
+
+    def see_again(self, numbers: Iterable[int]) -> None:
+        """Make the samples of these pair numbers anew: there is more in the store about them."""
+        for number in numbers:
+            rows = [self.store.row(leg.key) for leg in self.plan.legs_of(number)]
+            told = [row for row in rows if row]
+            self.samples[number] = self.plan.sample(number, told, self.recordings.parting)
+        self.standing = self.look()
 
     def is_due(self) -> bool:
         """Whether a mark has been passed, or enough time that somebody may want to look."""

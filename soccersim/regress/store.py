@@ -68,6 +68,11 @@ class Store(Database):
             self.all("INSERT OR IGNORE INTO contradictions VALUES (?, ?, ?, ?, ?)", found)
         return there is None
 
+    def record(self, key: str, recording: str) -> None:
+        """Note the recording of a leg that is there."""
+        with self.transaction():
+            self.all("UPDATE legs SET recording = ? WHERE key = ?", (recording, key))
+
     def row(self, key: str) -> Row | None:
         """The row of a leg; None where it has not been played."""
         found = self.all("SELECT * FROM legs WHERE key = ?", (key,))

@@ -12,6 +12,7 @@ import socket
 import struct
 import sys
 from collections.abc import Sequence
+from contextlib import suppress
 from pathlib import Path
 from subprocess import DEVNULL
 from threading import Lock
@@ -93,6 +94,12 @@ class Warm:
             self._drop()
 
     def _connect(self) -> socket.socket:
+        for _try in range(TRIES - 1):
+            with suppress(MachineError):  # it may have been killed while it loaded
+                return self._connected()
+        return self._connected()
+
+    def _connected(self) -> socket.socket:
         if self._socket:
             return self._socket
         ours, its = socket.socketpair()
