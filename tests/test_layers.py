@@ -46,9 +46,10 @@ MAY_IMPORT = {  # part: what it may import besides itself and the name and versi
     "repeat": {"record", "report", "simulation", "spec", "workers"},
     "regress": {"problems", "processes", "spec", "record", "strategy", "match", "render"},
     "bench": ALL | {"render"},
+    "live": ALL | MATCH - {"verify"} | {"render"},
     "reproduce": ALL | {"render"},
     "tune": ALL | {"render"},
-    "cli": ALL | MATCH | {"regress", "render", "bench", "reproduce", "tune"},
+    "cli": ALL | MATCH | {"regress", "render", "bench", "reproduce", "tune", "live"},
     "__main__": {"cli"},
 }
 FILES = sorted(PACKAGE.rglob("*.py"))

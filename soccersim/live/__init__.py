@@ -1,0 +1,1 @@
+"""The base station: a simulation that people watch and steer from their browsers."""
