@@ -132,7 +132,19 @@ def test_decisions_and_words_are_those_of_the_recording(recording, shown):
     assert np.nanmax(np.abs(found["seen_x"] - seen[..., 0])) <= 0.0051
     told_labels = [label[1:] for label in document["match"]["labels"]]
     assert told_labels == [label[1:] for label in recording.match["labels"]]
-    assert len(document["match"]["notes"]) == len(recording.match["notes"])
+
+
+def test_notes_are_those_of_the_recording(recording, shown):
+    document, found = told(shown)
+    decision = np.searchsorted(recording.arrays["decision_tick"], found["tick"][:, 0], "right") - 1
+    for slot in (0, 1):
+        changes = [row for row in recording.match["notes"] if row[1] == slot]
+        for row in (0, 7, 100, 400):
+            notes = [notes for at, _, notes in changes if at <= decision[row]][-1]
+            kinds = [kinds for at, kinds in document["match"]["notes"][slot] if at <= row][-1]
+            assert [kind[0] for kind in kinds] == [note[0] for note in notes]
+            numbers = [n for note in notes for n in note[1:] if not isinstance(n, str)]
+            assert np.abs(found[f"notes_{slot}"][row, : len(numbers)] - numbers).max() <= 0.0051
 
 
 def test_belief_that_began_a_whole_turn_away_is_told_beside_the_truth():
@@ -175,7 +187,7 @@ def test_nothing_that_a_team_wrote_is_html():
     document, _ = told(text)
     assert document["title"] == ATTACK
     assert document["match"]["labels"][0][2] == ATTACK
-    assert document["match"]["notes"][0][2][0][3] == ATTACK
+    assert document["match"]["notes"][1] == [[0, [["text", ATTACK]]]]
 
 
 def test_colours_are_those_of_the_frames(shown):
