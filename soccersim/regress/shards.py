@@ -89,17 +89,24 @@ def noted(shard: Store) -> dict[str, Any]:
 
 def different(one: Mapping[str, Any], other: Mapping[str, Any]) -> list[str]:
     """What differs between the documents of two plans; the names of the same code may."""
-    return [DIFFERENCES[key] for key in DIFFERENCES if bare(one[key]) != bare(other[key])]
+    bare, others = unnamed(one), unnamed(other)
+    return [DIFFERENCES[key] for key in DIFFERENCES if bare[key] != others[key]]
 
 
-def bare(told: Any) -> Any:
-    """A part of a document without the names of teams, and the seed that stands beside it."""
-    if isinstance(told, list):
-        return [bare(each) for each in told]
-    if not isinstance(told, dict):
-        return told
-    dropped = ("name",) if "sha" in told else ("strategy", "seed")
-    return {key: bare(value) for key, value in told.items() if key not in dropped}
+def unnamed(document: Mapping[str, Any]) -> dict[str, Any]:
+    """A plan's document without the names of teams, nor what it says twice."""
+
+    def team(told: Mapping[str, Any]) -> dict[str, Any]:
+        return {**told, "name": ""}
+
+    match = {**document["scenario"]["match"], "home": None, "away": None}
+    return {
+        **document,
+        "scenario": {**document["scenario"], "match": match, "seed": None},
+        "base": team(document["base"]),
+        "candidate": team(document["candidate"]),
+        "against": [team(told) for told in document["against"]],
+    }
 
 
 def take(plan: Plan, shard: Store, target: Store) -> None:

@@ -123,6 +123,7 @@ class Ended:
 def verb(tmp_path, monkeypatch, capsys):
     """Runs a command line in an empty folder; the matches are make-believe ones."""
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("soccersim.kernel.will_compile", lambda: False)  # it would say so
     monkeypatch.setattr("soccersim.regress.ground.Ground", make_believe.Ground)
     monkeypatch.setattr("soccersim.regress.pool.LocalPool", make_believe.Pool)
     make_believe.Pool.opened, make_believe.Pool.begun = 0, []

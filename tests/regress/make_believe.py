@@ -1,7 +1,7 @@
 """Matches that nobody plays: who wins is drawn from seed and code, in no time.
 
 A team whose code says GOOD scores more; FAULTY is at fault in every match, MOODY never plays the
-same match twice. They end in another order than they began in.
+same match twice, SHY not when it is filmed. They end in another order than they began in.
 """
 
 import hashlib
@@ -55,9 +55,7 @@ def play(leg):
     digest = hashlib.sha256(repr(told).encode()).hexdigest()
     chance = Random(digest)
     time.sleep(0.002 * chance.random())
-    score = [
-        sum(chance.random() < 0.2 + 0.2 * ("GOOD" in code) for _ in "12345") for code in teams
-    ]
+    score = [sum(chance.random() < 0.2 + 0.2 * ("GOOD" in code) for _ in "12345") for code in teams]
     if teams[0] == teams[1]:
         score = [1, 1]
     faults = ()
@@ -67,5 +65,11 @@ def play(leg):
             score = [0, 3] if slot == 0 else [3, 0]
     if any("MOODY" in code for code in teams):
         digest = hashlib.sha256(repr((digest, time.perf_counter())).encode()).hexdigest()
+    if leg.keep == "all" and any("SHY" in code for code in teams):
+        digest += " filmed"
     where = leg.key, leg.pair, leg.leg, leg.seed, leg.home.sha, leg.away.sha
-    return Played(Row(*where, tuple(score), digest, 60.0, faults, (), 0.5, 0.1))
+    return Played(
+        Row(*where, tuple(score), digest, 60.0, faults, (), 0.5, 0.1),
+        "",
+        b"film" * (leg.keep == "all"),
+    )

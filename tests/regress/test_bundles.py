@@ -9,7 +9,7 @@ import pytest
 
 from soccersim.problems import InputError
 from soccersim.regress import reach
-from soccersim.regress.bundle import Bundle, bundle, unpack
+from soccersim.regress.bundle import Bundle, bundle, same_program, unpack
 from soccersim.strategy.load import load_team
 
 TEAM = """\
@@ -159,3 +159,20 @@ def test_what_is_no_bundle_is_refused(tmp_path):
     for data in (b"", b"PK", bundle("still").data[:-3]):
         with pytest.raises(InputError, match="is a damaged bundle"):
             unpack(Bundle("x", data), tmp_path / "x")
+
+
+def test_a_copy_under_another_name_is_the_same_program(folder):
+    here = folder(one=TEAM, two=TEAM, three=TEAM + "# changed\n")
+    one, two, three = (of(here, f"{name}.py") for name in ("one", "two", "three"))
+    assert one.sha != two.sha
+    assert same_program(one, one)
+    assert same_program(one, two)
+    assert not same_program(one, three)
+    assert not same_program(one, of(here, "two.py:Team"))
+
+
+def test_a_copy_that_imports_other_code_is_another_program(folder):
+    text = "import help\n" + TEAM
+    one = of(folder(one=text, help="x = 1"), "one.py")
+    assert same_program(one, of(folder(two=text), "two.py"))
+    assert not same_program(one, of(folder(two=text, help="x = 2"), "two.py"))

@@ -213,6 +213,33 @@ def test_report_and_junit_are_written_and_written_again(regress, tmp_path):
         assert (tmp_path / "out.xml").read_text().startswith("<?xml")
 
 
+def test_the_pairs_that_differ_most_are_filmed_for_the_report(regress, tmp_path):
+    words = ("old.py", "new.py", "--report", "out.html", "--pairs", "20")
+    assert regress(*words, "--keep", "none").lines[1:] == ["wrote out.html"]
+    plain = regress(*words[:2], *words[4:], "--json")
+    ended = regress(*words, "--json")
+    assert ended.lines[0] == "playing 12 matches again, for their replays"
+    assert told(ended) == told(plain)
+    with Store(tmp_path / "old-new.db") as store:
+        filmed = [row for row in store.rows() if row.recording]
+        assert store.contradictions() == []
+    assert len(filmed) == 12
+    assert {row.pair for row in filmed} == {
+        row.pair for row in filmed if row.score[0] != row.score[1]
+    }
+    assert len(list((tmp_path / "old-new.db.recordings").iterdir())) == 12
+    assert "playing" not in regress(*words).err
+
+
+def test_a_match_that_is_another_when_it_is_filmed_makes_it_invalid(regress, strategies):
+    strategies(shy="GOOD SHY")
+    words = ("old.py", "shy.py", "--pairs", "20")
+    assert regress(*words).code == 0
+    ended = regress(*words, "--report", "out.html")
+    assert ended.code == 4
+    assert "was played twice and came out differently" in ended.out
+
+
 MISTAKES = {
     ("old.py", "nwe.py"): "nwe.py: there is no such file; did you mean `new.py`?",
     ("rols", "new.py"): "no strategy `rols` is bundled: did you mean `roles`?",
