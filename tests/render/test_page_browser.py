@@ -242,6 +242,8 @@ def test_what_teams_wrote_stays_text(opened):
     assert ATTACK in tab.run("said.textContent")
     assert ATTACK in tab.run("numbers.textContent")
     assert tab.run("document.querySelectorAll('img, #list b').length") == 0
+    notes = [[["text", 0, 2, ATTACK], ["circle", 0, 0, 2]], []]
+    assert tab.run("soccersim.app.moment.notes") == notes
 
 
 def test_toggles_and_help_answer_to_keys(opened):

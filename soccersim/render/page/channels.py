@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from soccersim.record.recording import Recording
+from soccersim.render.page.notes import PLACE, noted, places
 from soccersim.render.page.pack import Array, Packer
 from soccersim.render.story import Story
 
@@ -91,6 +92,9 @@ def _add_match(
     packer.add("seen_x", seen[..., 0], BALL, order=1)
     packer.add("seen_y", seen[..., 1], BALL, order=1)
     packer.add("seen_age", seen[..., 4], AGE, order=1)
+    for slot in (0, 1):
+        told = noted(recording, slot, decision.tolist())
+        packer.add(f"notes_{slot}", places(told), PLACE)
     packer.add("holder", np.array(story.holder)[shown], order=1)
     packer.add("direction", np.array(story.direction)[decision], order=1)
     possession = [story.possession(record) for record in shown]

@@ -6,6 +6,7 @@ from typing import Any
 from soccersim.record.recording import Recording
 from soccersim.render import arms, look, markings, moments, pitch, sprites
 from soccersim.render.cells import MINUS, leg_number, leg_text
+from soccersim.render.page.notes import kinds, noted
 from soccersim.render.page.telling import match_events, run_events
 from soccersim.render.story import Story
 from soccersim.spec.field import Field
@@ -128,6 +129,7 @@ def _model(model: Any) -> Document:
 def _match(recording: Recording, story: Story, shown: list[int]) -> Document:
     """What teams and referee said, by time or by row."""
     match = recording.match or {}
+    decisions = [story.decision[record] for record in shown]
     ticks, hz = recording.arrays["decision_tick"].tolist(), story.hz
     return {
         "names": story.names,
@@ -143,18 +145,16 @@ def _match(recording: Recording, story: Story, shown: list[int]) -> Document:
         "on_goal": _times(recording, story.on_goal.records),
         "passes": _times(recording, story.passes.records),
         "labels": [[ticks[at] / hz, row, text] for at, row, text in match["labels"]],
-        "notes": [[ticks[at] / hz, slot, _marks(notes)] for at, slot, notes in match["notes"]],
+        "notes": [
+            _changes([kinds(notes) for notes in noted(recording, slot, decisions)])
+            for slot in (0, 1)
+        ],
     }
 
 
 def _times(recording: Recording, records: tuple[list[int], list[int]]) -> list[list[float]]:
     """Seconds of records, by slot."""
     return [[round(float(recording.time[record]), 3) for record in own] for own in records]
-
-
-def _marks(notes: list[list[Any]]) -> list[list[Any]]:
-    """Notes to the centimetre."""
-    return [[round(v, 2) if isinstance(v, float) else v for v in note] for note in notes]
 
 
 def _run_state(recording: Recording, record: int) -> tuple[str, int | None, str]:

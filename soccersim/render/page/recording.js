@@ -3,6 +3,7 @@
 const ROBOT_JUMP = 10; // m/s; faster, it was carried there: nothing lies between
 const BALL_JUMP = 25;
 const SPAN = 3; // rows to either side, over which velocities are measured
+const NOTE_NUMBERS = { line: 4, circle: 3, text: 2 };
 const SIGHTINGS = 1; // s for which a sighting is shown
 
 // The last index whose number is not above the value; -1 before the first.
@@ -25,12 +26,7 @@ class Recording {
     this.times = channels.tick[0].map((tick) => tick / told.hz);
     this.duration = told.duration;
     this.dt = this.rows > 1 ? this.times[1] - this.times[0] : 1;
-    this.labels = told.robots.map((_, row) => this.ofWhom("labels", row));
-    this.notes = [0, 1].map((team) => this.ofWhom("notes", team));
-  }
-
-  ofWhom(kind, whose) {
-    return this.told.match ? this.told.match[kind].filter((change) => change[1] === whose) : [];
+    this.labels = told.robots.map((_, row) => (told.match ? told.match.labels.filter((label) => label[1] === row) : []));
   }
 
   // The row that holds at a time.
@@ -142,6 +138,16 @@ class Recording {
     return found;
   }
 
+  // What a team has drawn: the kind of each note, its numbers, of a text the words.
+  notes(team, row) {
+    const columns = this.channels[`notes_${team}`];
+    let next = 0;
+    return (this.holding(this.told.match.notes[team], row) || []).map(([kind, ...words]) => {
+      const numbers = columns.slice(next, (next += NOTE_NUMBERS[kind])).map((column) => column[row]);
+      return [kind, ...numbers, ...words];
+    });
+  }
+
   kicks(time, seconds) {
     const list = this.told.match ? this.told.match.kicks : [];
     const kicks = [];
@@ -175,7 +181,7 @@ class Recording {
       kicks: this.kicks(time, told.look.flash),
       seen: [null, null],
       sightings: [[], []],
-      notes: this.notes.map((list) => this.saidAt(list, time) || []),
+      notes: told.match ? [0, 1].map((team) => this.notes(team, row)) : [[], []],
       direction: 1,
       state: this.holding(told.match ? told.match.states : told.states, row) || ["", null, ""],
     };
