@@ -19,7 +19,7 @@ pytestmark = [
     pytest.mark.slow,  # test_kills.py has a few kills for every day
     pytest.mark.skipif(sys.platform != "linux", reason="finds processes in /proc"),
 ]
-SECONDS = 120  # that a command may take
+SECONDS = 900  # that a command may take, also on a machine that does much else
 
 
 @pytest.fixture
@@ -101,7 +101,7 @@ def disturbed(soccersim, chance, kills, asked):
 
 
 def test_killed_fifty_times_it_tells_what_an_undisturbed_run_tells(soccersim, tmp_path):
-    kills, pairs, seed = 50, 60, 0
+    kills, pairs, seed = 50, 40, 0
     chance = random.Random(kills)
     while kills:
         calm = told(soccersim(*words(seed, pairs, "calm.db")))
