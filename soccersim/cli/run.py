@@ -167,7 +167,7 @@ def write_one(name: str, recording: "Recording", document: dict[str, Any], path:
         from soccersim.render.video import save_video
 
         with Bar("encoding video") as bar:
-            save_video(recording, path, bar.count)
+            save_video(recording, path, bar.count, kind=".mp4")
 
 
 def check_seeds(first: int, runs: int) -> None:

@@ -6,12 +6,12 @@ from io import BytesIO
 from os import PathLike
 from pathlib import Path
 
-import numpy as np
 import pygame
 
-from soccersim.problems import InputError, MachineError, Problem
+from soccersim.problems import MachineError
 from soccersim.record.recording import Recording
 from soccersim.render import look
+from soccersim.render.cut import Cut, frame_indices
 from soccersim.render.hud import Hud
 from soccersim.render.match_hud import MatchHud
 from soccersim.render.match_play import MatchPlay
@@ -82,25 +82,16 @@ class FrameRenderer:
         return background
 
 
-def frame_indices(recording: Recording, fps: float | None = None) -> list[int]:
-    """The record that each frame of a film shows: the last one before it is due."""
-    fps = fps or recording.scenario.timing.frames_hz
-    ticks_per_frame = float(recording.meta["physics_hz"]) / fps
-    if len(recording.tick) == 0:
-        raise InputError(Problem("nothing to draw: a team forfeited before the match began"))
-    first, last = int(recording.tick[0]), int(recording.tick[-1])
-    count = int((last - first) / ticks_per_frame + 1e-9) + 1
-    due = first + np.arange(count) * ticks_per_frame
-    indices = np.searchsorted(recording.tick, due + 1e-6, side="right") - 1
-    return [int(index) for index in indices]
-
-
 def save_frames(
-    recording: Recording, folder: str | PathLike[str], progress: Progress | None = None
+    recording: Recording,
+    folder: str | PathLike[str],
+    progress: Progress | None = None,
+    cut: Cut | None = None,
 ) -> int:
     """Write 000000.png and so on into a folder, made if it is not there; how many they are."""
-    renderer = FrameRenderer(recording)
-    indices = frame_indices(recording)
+    cut = cut or Cut()
+    indices = frame_indices(recording, cut)
+    renderer = FrameRenderer(recording, cut.size)
     path = Path(folder)
     try:
         path.mkdir(parents=True, exist_ok=True)

@@ -1,41 +1,63 @@
-"""A recording as a film: MP4 with H.264, which every player shows."""
+"""A recording as a film: MP4 with H.264, which every player shows, an animated GIF, or a WebP."""
 
+from collections.abc import Iterator
+from fractions import Fraction
 from os import PathLike, fspath
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 import pygame
 
 from soccersim.problems import InputError, MachineError, Problem
 from soccersim.record.recording import Recording
-from soccersim.render import look
-from soccersim.render.frames import FrameRenderer, Progress, frame_indices
+from soccersim.render.colours import Colours
+from soccersim.render.cut import Cut, film_kind, frame_indices
+from soccersim.render.frames import FrameRenderer, Progress
 
 if TYPE_CHECKING:
+    from av.container import OutputContainer
     from av.video.frame import VideoFrame
     from av.video.stream import VideoStream
 
 THREADS = 2  # the bytes of a film depend on it, so it is never the number of this machine's cores
-OPTIONS = {"crf": "18", "preset": "veryfast"}  # crisp lines and letters
-COLOURS = "ITU709"  # as players expect them in a film as wide as ours
+CODECS: dict[str, tuple[str, str, dict[str, str]]] = {  # kind: codec, its pixels, its options
+    ".mp4": ("libx264", "yuv420p", {"crf": "18", "preset": "veryfast"}),  # crisp lines, letters
+    ".gif": ("gif", "pal8", {}),
+    ".webp": ("libwebp_anim", "bgra", {"lossless": "1", "quality": "50", "compression_level": "2"}),
+}
+FOREVER = {".webp": {"loop": "0"}}  # a GIF goes round and round by itself
 ENDS = 2.0  # s that the end of a match stands still, to be read
-BT709 = 1  # the same, as H.264 writes it down
+BT709 = 1  # as H.264 writes it down
+OPAQUE = np.uint32(0xFF000000)
+SAMPLES = 60  # frames whose colours go into the palette of a GIF
 
 
 def save_video(
-    recording: Recording, path: str | PathLike[str], progress: Progress | None = None
+    recording: Recording,
+    path: str | PathLike[str],
+    progress: Progress | None = None,
+    cut: Cut | None = None,
+    kind: str = "",
 ) -> int:
-    """Write the film and say how many frames it has; the same recording gives the same bytes."""
+    """Write the film and say how many frames it has; the same recording gives the same bytes.
+
+    kind: `.mp4`, `.gif` or `.webp`, instead of what the path ends in.
+    """
+    cut, kind = cut or Cut(), kind or film_kind(path)
     av = _av()
-    renderer, indices = FrameRenderer(recording), frame_indices(recording)
-    if recording.match:
+    indices = frame_indices(recording, cut)
+    if recording.match and cut.end is None:
         indices += [len(recording.tick) - 1] * round(ENDS * recording.scenario.timing.frames_hz)
+    renderer = FrameRenderer(recording, cut.size)
     try:
-        with av.open(fspath(path), "w", format="mp4") as file:
-            stream = _stream(file, recording.scenario.timing.frames_hz)
+        more = FOREVER.get(kind, {})
+        with av.open(fspath(path), "w", format=kind[1:], options=more) as file:
+            stream = film_stream(file, kind, cut.size, recording.scenario.timing.frames_hz)
             try:
-                for number, index in enumerate(indices):
-                    file.mux(stream.encode(_frame(renderer.draw(index), av)))
+                frames = _frames(av, kind, renderer, indices)
+                for number, frame in enumerate(frames):
+                    frame.pts, frame.time_base = number, 1 / Fraction(stream.codec_context.rate)
+                    file.mux(stream.encode(frame))
                     if progress:
                         progress(number + 1, len(indices))
             finally:  # an interrupted film can be seen up to where it came
@@ -44,6 +66,21 @@ def save_video(
         reason = getattr(error, "strerror", None) or error
         raise MachineError(f"{fspath(path)}: {reason}") from error
     return len(indices)
+
+
+def film_stream(
+    file: "OutputContainer", kind: str, size: tuple[int, int], fps: int
+) -> "VideoStream":
+    """The stream of a film, with our encoder's settings."""
+    codec, pixels, options = CODECS[kind]
+    stream: VideoStream = cast("VideoStream", file.add_stream(codec, fps, options))
+    stream.width, stream.height = size
+    stream.pix_fmt = pixels
+    stream.thread_count = THREADS
+    context = stream.codec_context
+    if kind == ".mp4":
+        context.colorspace = context.color_primaries = context.color_trc = BT709
+    return stream
 
 
 def _av() -> Any:
@@ -55,19 +92,30 @@ def _av() -> Any:
     return av
 
 
-def _frame(surface: pygame.Surface, av: Any) -> "VideoFrame":
-    pixels = np.frombuffer(surface.get_buffer().raw, np.uint8)
-    frame: VideoFrame = av.VideoFrame.from_ndarray(
-        pixels.reshape(surface.height, surface.width, 4), format="bgra"
-    )
-    return frame.reformat(format="yuv420p", dst_colorspace=COLOURS)
+def _frames(
+    av: Any, kind: str, renderer: FrameRenderer, indices: list[int]
+) -> Iterator["VideoFrame"]:
+    """Each frame of the film as its encoder wants it."""
+    if kind == ".mp4":
+        colours = Colours(av.VideoFrame(*renderer.surface.size, "yuv420p"))
+        for index in indices:
+            yield colours.follow(renderer.draw(index))
+    elif kind == ".webp":
+        for index in indices:
+            yield picture(av, renderer.draw(index))
+    else:
+        from soccersim.render.palette import Palette
+
+        step = max(1, len(indices) // SAMPLES)
+        samples = (picture(av, renderer.draw(index)) for index in indices[::step])
+        palette = Palette(av, renderer.surface.size, samples)
+        for index in indices:
+            yield palette.turned(picture(av, renderer.draw(index)))
 
 
-def _stream(file: Any, fps: int) -> "VideoStream":
-    stream: VideoStream = file.add_stream("libx264", rate=fps, options=OPTIONS)
-    stream.width, stream.height = look.SIZE
-    stream.pix_fmt = "yuv420p"
-    stream.thread_count = THREADS
-    context = stream.codec_context
-    context.colorspace = context.color_primaries = context.color_trc = BT709
-    return stream
+def picture(av: Any, surface: pygame.Surface) -> "VideoFrame":
+    """A copy of a surface as a frame that hides what is below: surfaces leave their fourth byte."""
+    pixels = pygame.surfarray.pixels2d(surface).T | OPAQUE
+    whole = pixels.astype("<u4").view("u1").reshape(surface.height, surface.width, 4)
+    frame: VideoFrame = av.VideoFrame.from_ndarray(whole, format="bgra")
+    return frame

@@ -4,7 +4,8 @@ from time import process_time
 
 import pytest
 
-from soccersim.render.frames import FrameRenderer, frame_indices
+from soccersim.render.cut import frame_indices
+from soccersim.render.frames import FrameRenderer
 
 HERE = Path(__file__).parents[1] / "render"
 synthetic = run_path(str(HERE / "synthetic.py"))

@@ -66,7 +66,7 @@ def test_seeds_that_were_through_are_kept_and_it_says_how_to_run_the_rest(
     ("function", "name"),
     [
         ("soccersim.render.frames._png", "frames"),
-        ("soccersim.render.video._frame", "video.mp4"),
+        ("soccersim.render.video._frames", "video.mp4"),
         ("soccersim.render.plots.trajectory_figure", "trajectory.png"),
     ],
 )

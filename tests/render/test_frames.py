@@ -9,7 +9,8 @@ from synthetic import field, kickabout, model, recording, standing
 from soccersim.problems import MachineError
 from soccersim.render import look
 from soccersim.render.cells import angle_text, distance_text, leg_text
-from soccersim.render.frames import FrameRenderer, frame_indices, save_frames
+from soccersim.render.cut import Cut, frame_indices
+from soccersim.render.frames import FrameRenderer, save_frames
 from soccersim.render.hud import clock
 from soccersim.render.pitch import View
 from soccersim.render.sprites import paint_robot
@@ -266,9 +267,9 @@ def test_a_recording_of_one_record():
 def test_frames_are_due_at_the_scenarios_rate():
     scene = kickabout(1, seconds=2)
     assert frame_indices(scene) == list(range(0, 101, 2))
-    assert frame_indices(scene, fps=50) == list(range(101))
-    assert frame_indices(scene, fps=30)[:4] == [0, 1, 3, 5]
-    assert len(frame_indices(scene, fps=30)) == 61
+    assert frame_indices(scene, Cut(speed=0.5)) == list(range(101))
+    assert frame_indices(scene, Cut(speed=25 / 30))[:4] == [0, 1, 3, 5]
+    assert len(frame_indices(scene, Cut(speed=25 / 30))) == 61
 
 
 def test_frames_are_written_and_counted(tmp_path):

@@ -12,7 +12,8 @@ from test_frames import picture, places
 
 from soccersim.problems import InputError
 from soccersim.render import look
-from soccersim.render.frames import FrameRenderer, frame_indices, save_frames
+from soccersim.render.cut import frame_indices
+from soccersim.render.frames import FrameRenderer, save_frames
 from soccersim.render.match_hud import minutes
 from soccersim.render.story import LEVELS, Story
 from soccersim.render.video import save_video
@@ -255,5 +256,5 @@ def test_match_that_never_began_cannot_be_drawn(tmp_path):
     scene = standing(records=0)
     for save in (save_frames, save_video):
         with pytest.raises(InputError, match="before the match began"):
-            save(scene, tmp_path / "nothing")
+            save(scene, tmp_path / "nothing.mp4")
     assert list(tmp_path.iterdir()) == []
