@@ -1,5 +1,6 @@
 """`soccersim regress`."""
 
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -128,7 +129,8 @@ def played(
         seconds = time.monotonic() - start
         if filmed and (legs := unfilmed(campaign)):
             click.echo(f"playing {len(legs)} matches again, for their replays", err=True)
-            film(campaign, legs, where)
+            with suppress(KeyboardInterrupt):  # the verdict is there: the report has fewer of them
+                film(campaign, legs, where)
     except KeyboardInterrupt:
         raise Stopped(
             f"stopped after {campaign.whole} of {plan.rule.most} pairs; {store.path} keeps "

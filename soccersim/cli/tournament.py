@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from soccersim.regress.tournament import Tournament
 
 PAIRS = 10
+SHOWN = 5  # matches that did not come out the same
 
 
 @click.command("tournament", cls=Typed, short_help="Every team against every other.")
@@ -78,9 +79,7 @@ def command(
 
     with Store(path) as store:
         rows = played(asked, store, where)
-        broken = sorted(
-            {(found.pair, found.leg) for found in store.contradictions() if found.key in rows}
-        )
+        broken = moody(asked, store)
         document = told(asked, rows, str(path), store.added, len(broken))
         table = asked.table(rows)
     if as_json:
@@ -88,8 +87,7 @@ def command(
     else:
         show(table, document)
     if broken:
-        places = ", ".join(f"leg {leg} of pair {pair}" for pair, leg in broken[:5])
-        click.echo(f"played twice, and came out differently: {places}", err=True)
+        click.echo(f"played twice, and came out differently: {'; '.join(broken[:SHOWN])}", err=True)
         ctx.exit(INVALID)
 
 
@@ -146,6 +144,16 @@ def played(asked: "Tournament", store: "Store", where: "Place") -> "dict[str, Ro
             "command goes on from there"
         ) from None
     return rows
+
+
+def moody(asked: "Tournament", store: "Store") -> list[str]:
+    """The matches that came out differently when they were played again."""
+    keys = {found.key for found in store.contradictions()}
+    return [
+        f"{leg.home.name} - {leg.away.name}, seed {leg.seed}"
+        for leg in (asked.legs() if keys else ())
+        if leg.key in keys
+    ]
 
 
 def told(

@@ -18,14 +18,10 @@ MOST = 6  # pairs, as in report/pairs.py
 
 def unfilmed(campaign: Campaign, most: int = MOST) -> list[Leg]:
     """The legs of the pairs that differ most, as far as they have no recording."""
-    account = campaign.account("", 1, 1.0)
-    keys = {
-        match.row.key
-        for pair in most_different(played(account), most)
-        for match in pair.legs
-        if not match.row.recording and not match.row.void
-    }
-    numbers = sorted({pair.sample.number for pair in most_different(played(account), most)})
+    pairs = most_different(played(campaign.account("", 1, 1.0)), most)
+    rows = [match.row for pair in pairs for match in pair.legs]
+    keys = {row.key for row in rows if not row.recording and not row.void}
+    numbers = sorted(pair.sample.number for pair in pairs)
     legs = {leg.key: leg for number in numbers for leg in campaign.plan.legs_of(number)}
     return [replace(leg, keep="all") for key, leg in legs.items() if key in keys]
 

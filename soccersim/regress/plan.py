@@ -98,7 +98,7 @@ class Plan(Schedule):
             return (0, 1), (1, 0)
         return ((0, None), (1, None), (None, 0), (None, 1)) * len(self.against)
 
-    @property
+    @cached_property
     def same_code(self) -> bool:
         """Whether both are the same program with the same options."""
         same = same_program(self.base.bundle, self.candidate.bundle)

@@ -68,7 +68,7 @@ def test_one_job_and_many_and_one_that_was_stopped_come_to_the_same(tournament, 
 def test_who_does_not_play_the_same_match_twice_makes_it_invalid(tournament):
     ended = tournament("old.py", "moody.py", "--pairs", "3")
     assert ended.code == 4
-    assert ended.lines[-1] == "played twice, and came out differently: leg 0 of pair 0"
+    assert ended.lines[-1] == "played twice, and came out differently: old.py - moody.py, seed 1"
 
 
 MISTAKES = {
