@@ -84,19 +84,23 @@ def killed(chance, coordinator, mark):
 def disturbed(soccersim, chance, kills, asked):
     """Run the same command until so many kills are through, or it ends by itself before that.
 
-    Returns the kills that are left, and what the last one told.
+    Returns the kills that are left, and what the last one told. Whose processes are killed again
+    and again before they have loaded gives up, as a machine that fails: exit code 3.
     """
     process = soccersim(*asked)
     while kills:
         try:
             process.wait(1.0 + 3.0 * chance.random())
-            break
         except subprocess.TimeoutExpired:
             kills -= 1
-        if killed(chance, process, soccersim.mark):
-            process.communicate()
-            assert has_ended_soon(*marked(soccersim.mark))
-            process = soccersim(*asked)
+            if not killed(chance, process, soccersim.mark):
+                continue
+        if process.poll() == 0:
+            break
+        _, err = process.communicate()
+        assert process.returncode in (-signal.SIGKILL, 3), err
+        assert has_ended_soon(*marked(soccersim.mark))
+        process = soccersim(*asked)
     return kills, told(process)
 
 
