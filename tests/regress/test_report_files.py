@@ -125,3 +125,23 @@ def test_a_name_that_may_not_be_text_is_written_all_the_same(tmp_path):
 def test_a_text_is_written_whole_with_the_same_line_ends_everywhere(tmp_path):
     files.write_whole(tmp_path / "a.html", "one\ntwo\n")
     assert (tmp_path / "a.html").read_bytes() == b"one\ntwo\n"
+
+
+@pytest.mark.slow
+def test_a_real_run_has_real_replays(tmp_path, monkeypatch):
+    from click.testing import CliRunner
+
+    from soccersim.cli.main import soccersim
+
+    monkeypatch.undo()
+    monkeypatch.chdir(tmp_path)
+    words = "regress still chaser --scenario friendly-match --duration 1 --jobs 1 --pairs 1"
+    files = "--keep all --report report.html --junit junit.xml"
+    done = CliRunner().invoke(soccersim, f"{words} {files}".split())
+    assert done.exit_code == 0, done.output
+    linked = sorted({tmp_path / link for link in links(tmp_path / "report.html")})
+    assert linked == sorted((tmp_path / "report-replays").iterdir())
+    assert len(linked) == 2
+    for replay in linked:
+        assert replay.read_text(encoding="utf-8").lstrip().lower().startswith("<!doctype html>")
+        assert len(replay.read_bytes()) > 20_000
