@@ -59,7 +59,11 @@ def match_options(function: Command) -> Command:
             click.option(
                 "--scenario", default="msl-match", show_default=True, help="Bundled name or file."
             ),
-            click.option("--seed", type=click.IntRange(min=0), help="Of the first pair."),
+            click.option(
+                "--seed",
+                type=click.IntRange(min=0),
+                help="Of the first pair, instead of the scenario's own.",
+            ),
             click.option("--duration", type=float, metavar="S", help="Seconds of each match."),
             click.option(
                 "--set", "settings", multiple=True, metavar="KEY.PATH=VALUE", help="Change a value."
@@ -76,7 +80,7 @@ def play_options(function: Command) -> Command:
     for option in reversed(
         [
             click.option(
-                "--jobs", type=click.IntRange(1, MOST_JOBS), help="Matches at a time; default: all."
+                "--jobs", type=click.IntRange(1, MOST_JOBS), help="Matches at a time. [all cores]"
             ),
             click.option("--scheduler", metavar="ADDRESS", help="Play on this Dask cluster."),
             click.option(
@@ -84,7 +88,7 @@ def play_options(function: Command) -> Command:
                 type=kept,
                 default="faults",
                 show_default=True,
-                help="Which matches' recordings are kept.",
+                help="Of which matches recordings are kept.",
             ),
         ]
     ):
