@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from soccersim.problems import InputError, Problem
-from soccersim.regress.remote import describe, hash_seed, load, told
+from soccersim.regress.remote import LOADED, describe, hash_seed, load, told
 
 PATIENCE = 30.0  # s that a worker may take to tell what it is: it imports all that it needs first
 
@@ -82,6 +82,6 @@ def unlike(answer: Any, ours: Mapping[str, str]) -> str:
     if not isinstance(answer, Mapping):
         return f"cannot say which soccersim it has ({answer!r})"
     differ = [key for key in ours if answer.get(key) != ours[key]]
-    named = [key for key in differ if key != "engine"] or differ  # it follows from the others
+    named = [key for key in differ if key != LOADED] or differ
     theirs = ", ".join(f"{key} {answer.get(key, 'unknown')}" for key in named)
     return f"has {theirs}; here it is {', '.join(f'{key} {ours[key]}' for key in named)}"

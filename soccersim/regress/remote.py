@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from soccersim.regress.leg import Leg
 
 SEED = "PYTHONHASHSEED"  # the order of texts in sets, in the processes that a worker starts
+LOADED = "code when it began"  # by its name in told(): it follows from all the others
 ENDING = ("closing", "closed", "failed")  # states of a worker that ends
 
 _settled: list[str] = []
@@ -85,7 +86,7 @@ def told() -> dict[str, str]:
     from soccersim.regress.engine import engine, sources
 
     known = {"soccersim": __version__, "its code": sources()[:12], **fingerprint()}
-    return {**known, SEED: hash_seed(), "engine": engine()[:12]}
+    return {**known, SEED: hash_seed(), LOADED: engine()[:12]}
 
 
 def hash_seed() -> str:

@@ -9,7 +9,7 @@ import pytest
 from dask_cluster import Programs, asked, locally, table, until
 
 from soccersim.problems import InputError, MachineError
-from soccersim.regress import cluster
+from soccersim.regress import cluster, remote
 from soccersim.regress.cluster import cluster_pool
 from soccersim.regress.runner import run
 from soccersim.regress.scheduler import compare
@@ -56,7 +56,7 @@ def test_a_strategy_that_is_not_there_is_bad_input(programs, tmp_path):
 
 
 def test_another_soccersim_there_is_refused_at_the_start_naming_both(programs, monkeypatch):
-    ours = {"soccersim": "9.9", "python": "2.7", "engine": "x"}
+    ours = {"soccersim": "9.9", "python": "2.7", remote.LOADED: "x"}
     monkeypatch.setattr("soccersim.regress.crew.told", lambda: ours)
     pool = cluster_pool(programs.address, asked(1)[0].scenario)
     theirs = (
