@@ -6,7 +6,7 @@ from soccersim.problems import InputError, Problem
 
 
 @click.command("live", short_help="The base station: watch and steer in a browser.")
-@click.argument("scenario", default="positioning")
+@click.argument("scenario", default="training")
 @click.option("--host", default="127.0.0.1", show_default=True, help="Address to listen at.")
 @click.option(
     "--port",
@@ -33,7 +33,7 @@ def command(
     """Serve a page that shows SCENARIO live and lets you steer it, until Ctrl-C.
 
     \b
-    soccersim live                       three robots and a ball
+    soccersim live                       four robots and a ball
     soccersim live defender              a paper's run; then send the robot where you like
     soccersim live friendly-match        a match, with a referee's buttons
 

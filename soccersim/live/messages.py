@@ -11,7 +11,7 @@ from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 from soccersim.problems import one_line
 from soccersim.spec import MAX_ROBOTS
 
-LONGEST = 2000  # bytes of a message
+LONGEST = 2000  # characters of a message
 SPEEDS = (0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0)
 FAR = 100.0  # m: no field is larger
 
@@ -214,6 +214,8 @@ def read(text: str | bytes) -> Message:
     """The message; Wrong with the first thing that is wrong with it."""
     if not isinstance(text, str):
         raise Wrong('messages are text: JSON objects such as {"do": "pause"}')
+    if len(text) > LONGEST:
+        raise Wrong(f"a message of {len(text)} characters: at most {LONGEST}")
     try:
         return _ADAPTER.validate_json(text)
     except ValidationError as error:

@@ -15,12 +15,13 @@ from websockets.http11 import Request, Response
 from soccersim.live import messages as say
 from soccersim.live.gate import Gate
 from soccersim.live.hub import CROWD, Hub, Viewer, text_of
-from soccersim.live.messages import LONGEST, Wrong
+from soccersim.live.messages import Wrong
 from soccersim.live.page import page, policy
 from soccersim.live.session import Session
 
 RATE = 400  # messages a second of one browser; one that says more is read more slowly
 BURST = 400
+LARGEST = 64 * 1024  # bytes; what is larger is not even read
 PATIENCE = 20.0  # s for an answer of the session: opening a match starts processes
 
 
@@ -41,7 +42,7 @@ class LiveServer:
             sock=listener,
             process_request=self._request,
             compression=None,  # 200 kB/s through this computer cost less than packing them
-            max_size=LONGEST,
+            max_size=LARGEST,
             max_queue=8,
             write_limit=64 * 1024,
             ping_interval=20,
@@ -111,6 +112,8 @@ class LiveServer:
         allowed, last = float(BURST), time.monotonic()
         async for text in connection:
             now = time.monotonic()
+            if viewer.lost:
+                break
             allowed, last = min(BURST, allowed + RATE * (now - last)) - 1.0, now
             viewer.tell(text_of(await self._answered(text)))
             if allowed < 0.0 or len(viewer.texts) > 100:

@@ -5,7 +5,7 @@ import contextlib
 import errno
 import signal
 import socket
-from collections.abc import Callable
+from collections.abc import AsyncIterator, Callable
 
 from soccersim.live.catalogue import Catalogue
 from soccersim.live.gate import Gate, is_loopback, new_token
@@ -47,6 +47,22 @@ def refused(host: str, port: int, error: OSError) -> str:
     return f"cannot listen at {host}, port {port}: {error.strerror or error}"
 
 
+@contextlib.asynccontextmanager
+async def open_station(
+    catalogue: Catalogue, play: Play, listener: socket.socket, host: str
+) -> AsyncIterator[tuple[Gate, Session]]:
+    """Serves and simulates as long as it is open."""
+    gate = Gate(host, listener.getsockname()[1], "" if is_loopback(host) else new_token())
+    hub = Hub(asyncio.get_running_loop())
+    session = Session(catalogue, play, hub.listen)
+    try:
+        async with LiveServer(session, hub, gate).open(listener):
+            session.start()
+            yield gate, session
+    finally:
+        await asyncio.to_thread(session.end)
+
+
 def serve_station(
     catalogue: Catalogue,
     play: Play,
@@ -55,28 +71,15 @@ def serve_station(
     tell: Callable[[str], None],
 ) -> None:
     """Serve until Ctrl-C; tell is told the address once it can be opened."""
-    asyncio.run(_serve(catalogue, play, listener, host, tell))
 
-
-async def _serve(
-    catalogue: Catalogue,
-    play: Play,
-    listener: socket.socket,
-    host: str,
-    tell: Callable[[str], None],
-) -> None:
-    loop, ended = asyncio.get_running_loop(), asyncio.Event()
-    with contextlib.suppress(NotImplementedError):  # Windows: Ctrl-C cancels this task instead
-        for number in (signal.SIGINT, signal.SIGTERM):
-            loop.add_signal_handler(number, ended.set)
-    gate = Gate(host, listener.getsockname()[1], "" if is_loopback(host) else new_token())
-    hub = Hub(loop)
-    session = Session(catalogue, play, hub.listen)
-    try:
-        async with LiveServer(session, hub, gate).open(listener):
-            session.start()
+    async def serve() -> None:
+        loop, ended = asyncio.get_running_loop(), asyncio.Event()
+        with contextlib.suppress(NotImplementedError):  # Windows: Ctrl-C cancels this task instead
+            for number in (signal.SIGINT, signal.SIGTERM):
+                loop.add_signal_handler(number, ended.set)
+        async with open_station(catalogue, play, listener, host) as (gate, _):
             tell(gate.url)
             with contextlib.suppress(asyncio.CancelledError):
                 await ended.wait()
-    finally:
-        await asyncio.to_thread(session.end)
+
+    asyncio.run(serve())

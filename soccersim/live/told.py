@@ -41,6 +41,10 @@ def hello(play: Play, layout: dict[str, Any], catalogue: Catalogue) -> dict[str,
                 "dribbler": player.model.dribbler is not None,
                 "driven": len(player.model.drive.azimuth_deg),
                 "wheels": player.model.wheel_count,
+                "encoders": [
+                    bool(wheels and wheels.encoder)
+                    for wheels in (player.model.drive, player.model.dead)
+                ],
             }
             for player in scenario.robots
         ],

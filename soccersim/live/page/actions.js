@@ -1,6 +1,6 @@
 // What can be asked of the base station, and what it says when it cannot be done.
 
-const POWER = 220; // N of a push for each metre that is drawn
+const POWER = 120; // N of a push for each metre that is drawn
 const ROLL = 2.5; // m/s of a ball for each metre that is drawn
 const TOAST = 3500; // ms
 

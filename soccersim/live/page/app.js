@@ -159,6 +159,7 @@ class App {
     [...byId("badges").children].forEach((badge, i) => badge.classList.toggle("off", !moment.robots[i].inPlay));
     if (moments.told.match) showMatch(moment);
     else {
+      setText(byId("half"), "");
       setText(byId("phase"), moment.paused ? "stands still" : "");
       setText(byId("about"), `${moments.told.robots[this.selected].name} is picked`);
     }

@@ -146,7 +146,7 @@ function showMatch(moment) {
   const word = moment.phase.replace("_", "-");
   setText(byId("phase"), moment.paused ? `${word}, stands` : word);
   byId("phase").dataset.team = moment.whose < 0 ? "" : moment.whose;
-  const whose = moment.whose < 0 ? "" : ` of ${["home", "away"][moment.whose]}`;
-  const next = { stop: "waits for a signal", play: "the ball is in play", over: "the match is over" }[moment.phase];
-  setText(byId("about"), next || `${moment.started ? "START is given" : "robots take their places"}${whose}`);
+  const next = { stop: "the next signal is awaited", play: "the ball is in play", over: "the match is over" }[moment.phase];
+  const who = moment.whose < 0 ? "all" : ["home", "away"][moment.whose];
+  setText(byId("about"), next || (moment.started ? `START: ${who} may play the ball` : "robots take their places"));
 }

@@ -106,7 +106,7 @@ class Moments {
       trails: robots.map((_, i) => (seconds ? this.trail(seconds, place(i, "x", "y")) : [])),
       believedTrails: robots.map((_, i) => (seconds && !told.match ? this.trail(seconds, place(i, "bx", "by")) : [])),
       ballTrail: has && seconds ? this.trail(Math.min(seconds, 3), (frame) => [this.ball(frame, "x"), this.ball(frame, "y")]) : [],
-      routes: told.match ? [] : told.robots.map((player) => route(player)),
+      routes: told.match ? [] : told.robots.map((player, i) => route(player, robots[i].target)),
       kicks: [],
       seen: told.match ? ["home", "away"].map((side) => this.seen(now, side)) : [null, null],
       sightings: [[], []],
@@ -141,8 +141,9 @@ function index(names) {
   return Object.fromEntries(names.map((name, i) => [name, i]));
 }
 
-// The way that a robot is told to go: its start and its targets.
-function route(player) {
+// The way that a robot is told to go: its start and its targets, unless it was sent elsewhere.
+function route(player, target) {
+  if (!target || !player.targets.some(([x, y]) => Math.hypot(x - target.x, y - target.y) < 1e-6)) return [];
   const places = player.targets.length ? [player.start, ...player.targets] : [];
   if (player.repeat && places.length) places.push(player.targets[0]);
   return places.map(([x, y]) => [x, y]);

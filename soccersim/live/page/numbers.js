@@ -31,10 +31,15 @@ function showBattery(moments, index) {
     const driven = k < player.driven;
     return [
       driven ? `wheel ${k + 1}` : `dead ${k + 1 - player.driven}`,
-      ...[number(at("counts"), 0), number(at("true") * RPM, 0), driven ? number(at("wanted") * RPM, 0) : "", driven ? number(at("pwm"), 0) : ""],
+      ...[number(encoded(player, k) ? at("counts") : NaN, 0), number(at("true") * RPM, 0), driven ? number(at("wanted") * RPM, 0) : "", driven ? number(at("pwm"), 0) : ""],
     ];
   });
   panel.replaceChildren(title, pose, moves, table(["", "counts", "rpm", "told", "PWM"], lines));
+}
+
+// Whether a wheel has an encoder.
+function encoded(player, wheel) {
+  return player.encoders[wheel < player.driven ? 0 : 1];
 }
 
 const LISTED = 100; // events

@@ -1,0 +1,288 @@
+"""What people may do on the field, without any browser."""
+
+import math
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import numpy as np
+import pytest
+
+from soccersim import Simulation, load_scenario
+from soccersim.live.catalogue import Catalogue, play_of
+from soccersim.live.frame import HEAD, Framer
+from soccersim.live.match import seats_of
+from soccersim.live.messages import Wrong, read
+from soccersim.match.game import Game
+from soccersim.referee.phases import Phase
+
+
+@pytest.fixture
+def play():
+    play = play_of(load_scenario("training"))
+    yield play
+    play.close()
+
+
+@pytest.fixture
+def match():
+    settings = ["match.home.strategy=still", "match.away.strategy=still"]
+    match = play_of(load_scenario("msl-match", settings=settings))
+    yield match
+    match.close()
+
+
+def seconds(play, time, piece=10):
+    for _ in range(round(time * play.hz / piece)):
+        play.advance(piece)
+
+
+def say(play, text):
+    play.obey(read(text))
+
+
+def body(play, row):
+    return play.simulation.machine.truth.body[row]
+
+
+def test_a_robot_goes_where_it_is_sent_and_says_so(play):
+    say(play, '{"do":"go","robot":0,"x":-1,"y":1,"heading":1.57}')
+    seconds(play, 5)
+    x, y, heading = body(play, 0)[:3]
+    assert math.hypot(x + 1, y - 1) < 0.1
+    assert heading == pytest.approx(1.57, abs=0.1)
+    x, y, heading = play.simulation.machine.estimate.pose[0]
+    assert math.hypot(x + 1, y - 1) < 0.01
+    assert heading == pytest.approx(1.57, abs=0.02)
+    assert any("striker there after" in event["text"] for event in play.news)
+
+
+def test_without_a_heading_it_keeps_its_own(play):
+    say(play, '{"do":"go","robot":0,"x":-1,"y":1}')
+    seconds(play, 4)
+    assert body(play, 0)[2] == pytest.approx(0, abs=0.05)
+
+
+def test_a_halted_robot_stands_and_goes_on_when_it_is_sent(play):
+    seconds(play, 0.5)
+    say(play, '{"do":"halt","robot":0}')
+    seconds(play, 1.5)
+    where = body(play, 0)[:2].copy()
+    seconds(play, 1)
+    assert np.abs(body(play, 0)[:2] - where).max() < 0.01
+    say(play, '{"do":"go","robot":0,"x":-1,"y":0}')
+    seconds(play, 3)
+    assert abs(body(play, 0)[0] + 1) < 0.05
+
+
+def test_who_is_driven_stops_when_nobody_says_it_again(play):
+    seconds(play, 4)
+    say(play, '{"do":"drive","robot":0,"vx":-1,"vy":0,"omega":0}')
+    seconds(play, 0.3)
+    assert body(play, 0)[3] < -0.5
+    seconds(play, 2)
+    assert abs(body(play, 0)[3]) < 0.02
+
+
+def test_a_driven_robot_keeps_to_its_limits(play):
+    seconds(play, 4)
+    say(play, '{"do":"drive","robot":2,"vx":15,"vy":15,"omega":20}')
+    seconds(play, 0.2)
+    limits = play.scenario.robots[2].model.control.limits
+    vx, vy, omega = play.simulation.machine.command.twist[2]
+    assert math.hypot(vx, vy) <= limits.speed + 1e-9
+    assert omega <= limits.turn_rate
+
+
+def test_a_robot_kicks_the_ball_that_is_put_into_its_mouth(play):
+    seconds(play, 4)
+    ahead = play.simulation.machine.handling.ahead[0]
+    x, y = body(play, 0)[:2].tolist()
+    say(play, f'{{"do":"ball","x":{x + ahead + 0.01},"y":{y}}}')
+    say(play, '{"do":"kick","robot":0,"speed":6}')
+    seconds(play, 0.1)
+    assert body(play, 4)[3] > 4
+
+
+def test_a_kick_without_a_ball_is_forgotten_after_a_second(play):
+    say(play, '{"do":"kick","robot":0,"speed":6}')
+    assert play.simulation.machine.command.kick[0] == 6
+    seconds(play, 1.2)
+    assert play.simulation.machine.command.kick[0] == 0
+
+
+def test_the_ball_rolls_as_it_is_thrown(play):
+    say(play, '{"do":"ball","x":1,"y":2,"vx":2}')
+    seconds(play, 0.5)
+    x, y = body(play, 4)[:2]
+    assert 1.4 < x < 2.1
+    assert y == pytest.approx(2, abs=1e-6)
+
+
+def test_a_pushed_robot_moves_and_fights_its_way_back(play):
+    seconds(play, 6)
+    say(play, '{"do":"push","robot":1,"fx":0,"fy":100}')
+    seconds(play, 0.3)
+    away = body(play, 1)[1]
+    assert away > 2.05
+    assert (play.simulation.machine.truth.push[1] == 0).all()
+    seconds(play, 3)
+    assert body(play, 1)[1] < away - 0.02
+
+
+def test_gains_change_how_it_moves(play):
+    seconds(play, 6)
+    say(play, '{"do":"gains","robot":0,"loop":"position","kp":0,"ki":0,"kd":0}')
+    say(play, '{"do":"go","robot":0,"x":1,"y":1}')
+    seconds(play, 2)
+    assert body(play, 0)[0] == pytest.approx(-1, abs=0.05)
+    assert play.told_gains()[0]["position"] == [0, 0, 0]
+    say(play, '{"do":"gains","robot":0,"loop":"position","kp":3,"ki":0,"kd":0}')
+    seconds(play, 4)
+    assert math.hypot(body(play, 0)[0] - 1, body(play, 0)[1] - 1) < 0.1
+    say(play, '{"do":"gains","robot":0,"loop":"wheel","kp":0,"ki":0}')
+    assert play.told_gains()[0]["wheel"] == [0, 0]
+
+
+def test_a_hand_that_pushes_a_robot_lets_go_when_it_is_sent_elsewhere():
+    play = play_of(load_scenario("idris-table6"))
+    seconds(play, 1)
+    with pytest.raises(Wrong, match="hand"):
+        say(play, '{"do":"push","robot":0,"fx":10,"fy":0}')
+    say(play, '{"do":"go","robot":0,"x":0.5,"y":-0.5}')
+    seconds(play, 4)
+    assert math.hypot(body(play, 0)[0] - 0.5, body(play, 0)[1] + 0.5) < 0.1
+
+
+@pytest.mark.parametrize("name", ["defender", "idris-table7", "four-wheel-path"])
+def test_a_papers_run_is_that_of_the_papers(name):
+    play, simulation = play_of(load_scenario(name)), Simulation(load_scenario(name))
+    recording = simulation.run()
+    while not play.digest:
+        play.advance(7)
+    assert play.digest == recording.digest
+    seconds(play, 1)
+    assert play.tick > simulation.tick
+    assert any(event["kind"] == "end" for event in play.news)
+
+
+def test_a_picture_holds_what_is_so(play):
+    seconds(play, 1)
+    framer = Framer(play)
+    numbers = np.frombuffer(framer.packed({"paused": 1.0}), "<f8")
+    layout = framer.layout()
+    assert numbers[HEAD.index("tick")] == play.tick
+    assert numbers[HEAD.index("paused")] == 1
+    rows = numbers[len(HEAD) + len(layout["ball"]) :].reshape(4, -1)
+    assert (rows[:, :6] == play.simulation.machine.truth.body[:4]).all()
+    wheel = rows[1, len(layout["robot"]) :][: len(layout["wheel"])]
+    assert wheel[0] == play.simulation.machine.readings.counts[1, 0]
+    assert rows[0, layout["robot"].index("tx")] == pytest.approx(-1)
+
+
+BUTTONS = {
+    "kick_off": Phase.KICK_OFF,
+    "free_kick": Phase.FREE_KICK,
+    "throw_in": Phase.THROW_IN,
+    "goal_kick": Phase.GOAL_KICK,
+    "corner": Phase.CORNER,
+    "penalty": Phase.PENALTY,
+}
+
+
+def test_all_restarts_of_the_referee_box(match):
+    referee = match.game.referee
+    seconds(match, 0.1)
+    for call, phase in BUTTONS.items():
+        for slot, side in enumerate(("home", "away")):
+            say(match, f'{{"do":"referee","call":"{call}","side":"{side}"}}')
+            seconds(match, 0.1)
+            assert (referee.phase, referee.whose) == (phase, slot)
+            assert not referee.started
+            say(match, '{"do":"referee","call":"start"}')
+            seconds(match, 0.1)
+            assert referee.started or referee.phase is Phase.PLAY
+    say(match, '{"do":"referee","call":"dropped_ball"}')
+    seconds(match, 0.1)
+    assert referee.phase is Phase.DROPPED_BALL
+
+
+def test_stop_holds_until_the_next_button(match):
+    referee = match.game.referee
+    say(match, '{"do":"referee","call":"stop"}')
+    seconds(match, 12)
+    assert referee.phase is Phase.STOP
+    assert match.simulation.machine.orders.halted.all()
+    say(match, '{"do":"referee","call":"start"}')
+    seconds(match, 0.1)
+    assert referee.started
+
+
+def test_goal_repair_half_time_and_end(match):
+    referee = match.game.referee
+    say(match, '{"do":"referee","call":"goal","side":"away"}')
+    seconds(match, 0.1)
+    assert referee.score == (0, 1)
+    say(match, '{"do":"referee","call":"repair","robot":2}')
+    seconds(match, 0.1)
+    assert referee.in_play[2] == 0
+    say(match, '{"do":"referee","call":"half_time"}')
+    seconds(match, 0.1)
+    assert (referee.half, referee.direction[0]) == (2, -1)
+    with pytest.raises(Wrong, match="second half already"):
+        say(match, '{"do":"referee","call":"half_time"}')
+    say(match, '{"do":"referee","call":"end"}')
+    seconds(match, 0.1)
+    assert referee.phase is Phase.OVER
+    with pytest.raises(Wrong, match="over"):
+        say(match, '{"do":"referee","call":"start"}')
+
+
+def test_buttons_that_lack_something_are_refused(match):
+    for text, why in (
+        ('{"do":"referee","call":"corner"}', "side"),
+        ('{"do":"referee","call":"repair"}', "robot"),
+    ):
+        with pytest.raises(Wrong, match=why):
+            say(match, text)
+
+
+def test_a_robot_of_a_match_is_taken_over_and_given_back(match):
+    for _ in range(3):
+        say(match, '{"do":"referee","call":"kick_off","side":"home"}')
+        say(match, '{"do":"referee","call":"start"}')
+        seconds(match, 0.2)
+    x, y = (body(match, 1)[:2] + np.array((-1.0, 0.6))).tolist()
+    say(match, f'{{"do":"go","robot":1,"x":{x},"y":{y},"heading":0.5}}')
+    seconds(match, 4)
+    assert math.hypot(body(match, 1)[0] - x, body(match, 1)[1] - y) < 0.12
+    assert match.labels()[1] == "by hand"
+    say(match, '{"do":"release","robot":1}')
+    seconds(match, 0.2)
+    assert match.labels()[1] != "by hand"
+    with pytest.raises(Wrong, match="obeys its team"):
+        say(match, '{"do":"dribble","robot":1,"on":true}')
+
+
+def test_a_match_nobody_touches_is_the_match(match):
+    """The bodies after some seconds, however the time is cut into pieces."""
+    seconds(match, 4, piece=7)
+    match.advance(2000 - match.tick)
+    with TemporaryDirectory() as folder:
+        seats = seats_of(match.scenario, Path(folder))
+        game = Game(match.scenario)
+        game.play(seats, until=2000)
+        for seat in seats:
+            seat.close()
+    assert (game.simulation.machine.truth.body == match.simulation.machine.truth.body).all()
+
+
+def test_a_team_that_fails_ends_the_match_and_not_the_station(tmp_path):
+    team = tmp_path / "bad.py"
+    team.write_text(
+        "class Bad:\n    def decide(self, view):\n        return 1 / (view.time < 0.5)\n"
+    )
+    play = Catalogue("friendly-match", home=str(team)).first()
+    seconds(play, 1)
+    assert play.over
+    assert any("home forfeits" in event["text"] for event in play.news)
+    play.close()
