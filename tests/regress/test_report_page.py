@@ -1,6 +1,7 @@
 """The report of a regression: whole, honest, and safe from what teams call themselves."""
 
 import re
+from collections import Counter
 from dataclasses import replace
 from html.parser import HTMLParser
 
@@ -15,6 +16,7 @@ from soccersim.regress.report.markup import shown
 from soccersim.regress.report.style import STYLE
 from soccersim.regress.report.words import number, signed, span
 from soccersim.regress.rules import Fixed, Sprt
+from soccersim.regress.samples import Leg, Pair, between
 from soccersim.regress.standing import Statistic
 
 JUDGED = {Statistic.GOALS: "goal difference", Statistic.RESULTS: "results"}
@@ -163,6 +165,10 @@ def test_the_bars_of_the_histogram_are_all_the_pairs(name, accounts, pages):
     bars = [tip for tip in tips if "goals: " in tip]
     counted = sum(int(re.search(r"goals: (\d+) pair", bar)[1]) for bar in bars)
     assert counted == accounts[name].standing.pairs
+    if not accounts[name].against:  # whole goals, a bar for each
+        goals = Counter(2.0 * s.difference for s in accounts[name].samples if not s.void)
+        said = {bar.split(" goals: ")[0]: int(bar.split()[2]) for bar in bars}
+        assert said == {signed(g): count for g, count in goals.items()}
     same = [tip for tip in tips if tip.startswith("the same match")]
     alike = accounts[name].standing.pairs - accounts[name].standing.diverged
     assert [int(re.search(r": (\d+) pair", tip)[1]) for tip in same] == ([alike] if alike else [])
@@ -304,3 +310,22 @@ def test_what_was_not_asked_is_not_answered():
         wanted = {"PASS": "holds up against", "FAIL": "is no better than"}
         assert wanted[account.standing.verdict.value] in said
         assert "plays" not in said
+
+
+def test_wide_differences_share_bars_of_several_goals():
+    season = Season()
+    for k, goals in enumerate((0, 40, -40, 39, 1)):
+        score = (max(goals, 0), max(-goals, 0))
+        home = season.match(k, 0, season.candidate, season.base, score)
+        away = season.match(k, 1, season.base, season.candidate, (0, 0))
+        pair = Pair(Leg(*score, home.digest), Leg(0, 0, away.digest))
+        season.samples[k] = between(k, pair)
+    page = Page(html(season.account(Fixed(5))))
+    tips = [e["text"] for e in page.elements if e["tag"] == "title" and e["in"][-1] == "rect"]
+    told = [tip for tip in tips if "goals: " in tip]
+    minus = "\N{MINUS SIGN}"
+    assert told == [
+        f"about {minus}39 goals: 1 pair",
+        "about 0 goals: 2 pairs",
+        "about +39 goals: 2 pairs",
+    ]
