@@ -9,49 +9,98 @@ from soccersim.cli.results import Results
 
 if TYPE_CHECKING:
     from soccersim.record import Recording
+    from soccersim.render.cut import Cut
 
 
-@click.command("replay", short_help="Look at a recording again, or check it.")
-@click.argument("recording", type=click.Path(path_type=Path))
+FILE = click.Path(path_type=Path)
+BAR = {  # what is written, and what the bar says meanwhile
+    "html": "writing the page",
+    "video": "encoding video",
+    "frames": "drawing frames",
+    "mcap": "writing the log",
+    "csv": "writing the table",
+}
+
+
+@click.command("replay", short_help="Look at a recording again, check it, or hand it on.")
+@click.argument("recording", type=FILE)
 @click.option("--verify", is_flag=True, help="Simulate it again and compare, record by record.")
-@click.option("--html", type=click.Path(path_type=Path), help="Write a page that plays it.")
-@click.option("--video", type=click.Path(path_type=Path), help="Write a film, an .mp4.")
-@click.option("--frames", type=click.Path(path_type=Path), help="Write PNG frames into a folder.")
+@click.option("--html", type=FILE, help="Write a page that plays it.")
+@click.option("--video", type=FILE, help="Write a film: .mp4, .gif or .webp.")
+@click.option("--frames", type=FILE, help="Write PNG frames into a folder.")
+@click.option("--mcap", type=FILE, help="Write a log for Foxglove and other tools of robotics.")
+@click.option("--csv", type=FILE, help="Write a table with a row for each recorded tick.")
+@click.option("--from", "start", type=float, metavar="S", help="Begin there, in seconds.")
+@click.option("--to", "end", type=float, metavar="S", help="End there, in seconds.")
+@click.option("--speed", type=float, metavar="X", help="Of film and frames: 0.25 is slow motion.")
+@click.option("--size", metavar="WxH", help="Of film and frames, in pixels.")
 @click.option("--force", is_flag=True, help="Overwrite what is there.")
 def command(
     recording: Path,
     verify: bool,
-    html: Path | None,
-    video: Path | None,
-    frames: Path | None,
+    start: float | None,
+    end: float | None,
+    speed: float | None,
+    size: str | None,
     force: bool,
+    **files: Path | None,
 ) -> None:
-    """Say what RECORDING holds; draw it, or check that it can be played again bit by bit.
+    """Say what RECORDING holds; draw it, hand it to other tools, or play it again bit by bit.
 
     \b
     soccersim replay match-1.npz
     soccersim replay match-1.npz --html match.html
-    soccersim replay match-1.npz --video match.mp4
+    soccersim replay match-1.npz --video goal.gif --from 50 --to 55 --size 640x428
+    soccersim replay match-1.npz --mcap match.mcap --csv match.csv
     soccersim replay match-1.npz --verify
 
     --html writes one file that opens in a browser, without any network: docs/replay.md.
+    --video, --mcap and --csv are told in docs/export.md. A recording holds records at the
+    scenario's record_hz, 50 a second unless it says otherwise; films, logs and tables show them.
     --verify simulates the run anew: a path from its scenario, a match from the orders that the
     teams sent. It names the first record that differs, and exits with 1 then.
     """
     from soccersim.record import Recording
 
+    wanted = {kind: path for kind, path in files.items() if path}
+    film_wanted = bool({"video", "frames"} & set(wanted))
+    if (speed is not None or size is not None) and not film_wanted:
+        raise click.UsageError("--speed and --size are of --video and --frames")
+    if (start is not None or end is not None) and not set(wanted) - {"html"}:
+        raise click.UsageError("--from and --to are of --video, --frames, --mcap and --csv")
     loaded = Recording.load(recording)
     loaded.scenario  # noqa: B018  said at once where it cannot be read
-    if not (verify or html or video or frames):
+    if not (verify or wanted):
         click.echo(described(loaded))
-    for path, write in ((html, "html"), (video, "video"), (frames, "frames")):
-        if path:
-            folder = Results(path.parent, (path.name,), force)
-            with folder as results, results.new(path.name) as part:
-                _draw(loaded, part, write)
-            click.echo(f"wrote {path}", err=True)
+    if wanted:
+        _write_all(loaded, wanted, _cut(start, end, speed, size), force)
     if verify:
         _verify(loaded)
+
+
+def _cut(start: float | None, end: float | None, speed: float | None, size: str | None) -> "Cut":
+    from soccersim.render.cut import Cut, film_size
+    from soccersim.render.look import SIZE
+
+    return Cut(
+        start, end, 1.0 if speed is None else speed, SIZE if size is None else film_size(size)
+    )
+
+
+def _write_all(recording: "Recording", wanted: dict[str, Path], cut: "Cut", force: bool) -> None:
+    """Each file whole or not at all; nothing is begun before all that was asked for is possible."""
+    from soccersim.render.cut import film_kind
+
+    cut.check(recording.duration)
+    if "video" in wanted:
+        film_kind(wanted["video"])
+    each = [
+        (kind, path, Results(path.parent, (path.name,), force)) for kind, path in wanted.items()
+    ]
+    for kind, path, folder in each:
+        with folder as results, results.new(path.name) as part:
+            _write(recording, kind, path, part, cut)
+        click.echo(f"wrote {path}", err=True)
 
 
 def described(recording: "Recording") -> str:
@@ -69,23 +118,33 @@ def described(recording: "Recording") -> str:
     return "\n".join(lines)
 
 
-def _draw(recording: "Recording", path: Path, kind: str) -> None:
+def _write(recording: "Recording", kind: str, path: Path, part: Path, cut: "Cut") -> None:
+    """One file: part is where it is written, path what it will be called."""
     from soccersim.cli.progress import Bar
 
     if kind == "html":
         from soccersim.render.page import page
 
-        path.write_text(page(recording), encoding="utf-8")
-    elif kind == "video":
-        from soccersim.render.video import save_video
+        part.write_text(page(recording), encoding="utf-8")
+        return
+    with Bar(BAR[kind]) as bar:
+        if kind == "video":
+            from soccersim.render.cut import film_kind
+            from soccersim.render.video import save_video
 
-        with Bar("encoding video") as bar:
-            save_video(recording, path, bar.count)
-    else:
-        from soccersim.render.frames import save_frames
+            save_video(recording, part, bar.count, cut, film_kind(path))
+        elif kind == "frames":
+            from soccersim.render.frames import save_frames
 
-        with Bar("drawing frames") as bar:
-            save_frames(recording, path, bar.count)
+            save_frames(recording, part, bar.count, cut)
+        elif kind == "mcap":
+            from soccersim.export.mcap import save_mcap
+
+            save_mcap(recording, part, bar.count, cut.start, cut.end)
+        else:
+            from soccersim.export.table import save_csv
+
+            save_csv(recording, part, bar.count, cut.start, cut.end)
 
 
 def _verify(recording: "Recording") -> None:
