@@ -86,8 +86,9 @@ def bash(script, **environment):
 
 
 def table(path):
+    """All rows but for their keys, which change where somebody edits soccersim meanwhile."""
     with Store(path) as store:
-        return [row.result for row in store.rows()]
+        return [row.result[1:] for row in store.rows()]
 
 
 @pytest.mark.parametrize("block", FILES, ids=lambda block: block.info)
