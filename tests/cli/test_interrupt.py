@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import time
+from pydoc import locate
 
 import pytest
 
@@ -66,18 +67,15 @@ def test_seeds_that_were_through_are_kept_and_it_says_how_to_run_the_rest(
     ("function", "name"),
     [
         ("soccersim.render.frames._png", "frames"),
-        ("soccersim.render.video._frames", "video.mp4"),
+        ("soccersim.render.colours.Colours.follow", "video.mp4"),
         ("soccersim.render.plots.trajectory_figure", "trajectory.png"),
     ],
 )
 def test_no_half_of_a_file_is_left_and_what_was_whole_is_named(
     soccersim, scenario, monkeypatch, tmp_path, function, name
 ):
-    from importlib import import_module
-
     scenario()
-    module, attribute = function.rsplit(".", 1)
-    whole = getattr(import_module(module), attribute)
+    whole = locate(function)
     monkeypatch.setattr(function, interrupt(1 if name != "trajectory.png" else 0)(whole))
     ended = soccersim("run", "./two.yaml", "--out", "r", "--frames", "--video")
     order = ["report.json", "recording.npz", "trajectory.png", "frames", "video.mp4"]
