@@ -84,7 +84,7 @@ class Plan(Schedule):
         return self.rule.most
 
     @cached_property
-    def meetings(self) -> tuple[Leg, ...]:  # type: ignore[override]
+    def meetings(self) -> tuple[Leg, ...]:
         """The legs of pair 0: each candidate's pair before the one of the base."""
         met = [(self.candidate, self.base)]
         if self.against:

@@ -34,7 +34,7 @@ class Tournament(Schedule):
         return tuple(combinations(range(len(self.teams)), 2))
 
     @cached_property
-    def meetings(self) -> tuple[Leg, ...]:  # type: ignore[override]
+    def meetings(self) -> tuple[Leg, ...]:
         """The legs of pair 0: both legs of every two teams."""
         return tuple(
             leg
