@@ -43,7 +43,7 @@ def command(
     try:
         from soccersim.live.station import bound, serve_station
     except ModuleNotFoundError as error:
-        if error.name != "websockets":
+        if (error.name or "").partition(".")[0] != "websockets":
             raise
         wrong = "the base station needs the package websockets: pip install soccersim[live]"
         raise InputError(Problem(wrong)) from None
