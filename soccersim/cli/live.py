@@ -19,6 +19,7 @@ from soccersim.problems import InputError, Problem
 @click.option("--set", "settings", multiple=True, metavar="KEY.PATH=VALUE", help="Change a value.")
 @click.option("--home", help="Strategy of the home team, in a match.")
 @click.option("--away", help="Strategy of the away team.")
+@click.option("--window", is_flag=True, help="A window instead: drive a robot by keys or gamepad.")
 @click.option("--browser", is_flag=True, help="Open it in a browser at once.")
 def command(
     scenario: str,
@@ -28,6 +29,7 @@ def command(
     settings: tuple[str, ...],
     home: str | None,
     away: str | None,
+    window: bool,
     browser: bool,
 ) -> None:
     """Serve a page that shows SCENARIO live and lets you steer it, until Ctrl-C.
@@ -36,10 +38,21 @@ def command(
     soccersim live                       four robots and a ball
     soccersim live defender              a paper's run; then send the robot where you like
     soccersim live friendly-match        a match, with a referee's buttons
+    soccersim live friendly-match --home still --away chaser --window
 
     Only this computer can open the page. With another --host others can too, if they know the
     address that is printed, which holds a token. docs/live.md shows what the page can do.
     """
+    from soccersim.cli.run import announce_compiling
+    from soccersim.live.catalogue import Catalogue
+
+    catalogue = Catalogue(scenario, settings, seed, home, away)
+    if window:
+        from soccersim.live.window import show_window
+
+        announce_compiling()
+        show_window(catalogue)
+        return
     try:
         from soccersim.live.station import bound, serve_station
     except ModuleNotFoundError as error:
@@ -47,12 +60,8 @@ def command(
             raise
         wrong = "the base station needs the package websockets: pip install soccersim[live]"
         raise InputError(Problem(wrong)) from None
-    from soccersim.cli.run import announce_compiling
-    from soccersim.live.catalogue import Catalogue
-
     with bound(host, port) as listener:
         announce_compiling()
-        catalogue = Catalogue(scenario, settings, seed, home, away)
 
         def tell(url: str) -> None:
             click.echo(f"soccersim live: open {url} (Ctrl-C ends it)")

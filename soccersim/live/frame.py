@@ -3,13 +3,16 @@
 head, ball, robots one after the other (each followed by its wheels), links of arms.
 """
 
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from soccersim.live.match import MatchPlay
 from soccersim.live.play import Play
 from soccersim.sheet import PHASES
+from soccersim.spec.scenario import Scenario
 
 HEAD = (
     *("tick", "age", "factor", "speed", "paused", "over", "phase", "whose", "started"),
@@ -25,6 +28,28 @@ ROBOT = (
 WHEEL = ("counts", "read", "true", "wanted", "pwm", "slip")  # rad/s but for counts, pwm, slip m/s
 LINK = ("x", "y", "heading")
 NAN = float("nan")
+
+
+@dataclass(frozen=True)
+class Poses:
+    """Where everything is: bodies (B, 3) and beliefs (R, 3), and who is in play."""
+
+    body: NDArray[np.float64]
+    believed: NDArray[np.float64]
+    playing: list[int]
+
+
+def poses(numbers: NDArray[np.float64], scenario: Scenario) -> Poses:
+    """The poses of a moment that was packed."""
+    robots, links = len(scenario.robots), 3 * len(scenario.arms) * len(LINK)
+    start, end = len(HEAD) + len(BALL), len(numbers) - links
+    rows = numbers[start:end].reshape(robots, -1)
+    body = [rows[:, :3]]
+    if scenario.ball:
+        body.append(numbers[len(HEAD) : len(HEAD) + 3][None])
+    body.append(numbers[end:].reshape(-1, 3))
+    playing = rows[:, ROBOT.index("playing")].astype(int).tolist()
+    return Poses(np.concatenate(body), rows[:, 6:9], playing)
 
 
 class Framer:
