@@ -10,10 +10,10 @@ WAYS = {  # key: ahead, left, turning
     pygame.K_DOWN: (-1, 0, 0),
     pygame.K_s: (-1, 0, 0),
     pygame.K_a: (0, 1, 0),
+    pygame.K_LEFT: (0, 1, 0),
     pygame.K_d: (0, -1, 0),
-    pygame.K_LEFT: (0, 0, 1),
+    pygame.K_RIGHT: (0, -1, 0),
     pygame.K_q: (0, 0, 1),
-    pygame.K_RIGHT: (0, 0, -1),
     pygame.K_e: (0, 0, -1),
 }
 DEEDS = {
@@ -31,7 +31,7 @@ DEEDS = {
 BUTTONS = {0: "kick", 1: "dribble", 2: "next", 7: "pause"}  # A, B, X, start
 DEAD = 0.15  # of a stick's way that counts as none
 HELP = (
-    "W A S D, arrows: drive · Q E: turn · Space: kick · Shift: dribble · Tab, 1-9: another robot · "
+    "W A S D or arrows: drive · Q E: turn · Space: kick · Shift: dribble · Tab, 1-9: another robot · "
     "H: back to its team · P: stop · + \u2212: speed · R: again · Esc: end"
 )
 

@@ -109,7 +109,8 @@ class App {
     byId("kick").disabled = byId("power").disabled = !player.kick;
     byId("dribble").disabled = !player.dribbler;
     byId("release").hidden = !this.moments.told.match;
-    byId("power").max = player.kick || 1;
+    if (player.kick) byId("power").max = player.kick;
+    setText(byId("power-told"), player.kick ? `${byId("power").value} m/s` : "no kicker");
     this.plots.show(this.moments, index);
     fillGains(this);
     this.panelled = 0;
