@@ -78,6 +78,8 @@ class Hub:
         else:
             text = text_of(told)
             for viewer in self.viewers:
+                if told["type"] == "hello":
+                    viewer.picture = None  # of what was open before: nobody could read it now
                 viewer.tell(text)
 
 

@@ -17,7 +17,7 @@ from soccersim.live.frame import Framer
 from soccersim.live.messages import Wrong
 from soccersim.live.play import Play
 from soccersim.live.told import hello
-from soccersim.problems import InputError, MachineError, RunError
+from soccersim.problems import InputError, MachineError, RunError, one_line
 
 PERIOD = 0.02  # s from picture to picture
 IDLE = 0.2  # s from picture to picture while nothing moves
@@ -102,9 +102,9 @@ class Session:
         before, play = self.play.tick, self.play
         try:
             play.advance(ticks)
-        except (RunError, InputError, MachineError, OSError) as error:
+        except Exception as error:  # whatever it is, those who watch shall be told
             play.over = True
-            play.tell(f"the simulation has stopped: {error}", "fault")
+            play.tell(f"the simulation has stopped: {told(error)}", "fault")
         self._owed -= (play.tick - before) / play.hz
         return play.tick != before or play.over
 
@@ -124,8 +124,8 @@ class Session:
                 future.set_result(self._obey(message))
             except Wrong as wrong:
                 future.set_exception(Wrong(str(wrong), message.id))
-            except (InputError, MachineError, RunError, OSError) as error:
-                future.set_exception(Wrong(str(error), message.id))
+            except Exception as error:  # no message ends the thread that simulates
+                future.set_exception(Wrong(told(error), message.id))
         return found
 
     def _at_once(self) -> tuple[say.Message, "Future[Answer]"]:
@@ -171,7 +171,7 @@ class Session:
             self._events.extend(news)
             self.listen({"type": "news", "events": news})
         self._tell_words()
-        told = {
+        head = {
             "age": self._late,
             "factor": pace,
             "speed": self.speed,
@@ -179,7 +179,7 @@ class Session:
             "paused": float(self.paused),
             "over": float(self.play.over),
         }
-        self.listen(self._framer.packed(told))
+        self.listen(self._framer.packed(head))
 
     def _tell_words(self) -> None:
         """Labels and notes of teams, where they have changed."""
@@ -187,3 +187,10 @@ class Session:
         if labels != self._labels or notes != self._notes:
             self._labels, self._notes = labels, notes
             self.listen({"type": "words", "labels": labels, "notes": notes})
+
+
+def told(error: Exception) -> str:
+    """What went wrong, in a line; of what nobody foresaw also its kind."""
+    if isinstance(error, InputError | MachineError | RunError | OSError):
+        return one_line(str(error), 300)
+    return one_line(f"{type(error).__name__}: {error}; a fault of soccersim itself", 300)

@@ -23,6 +23,7 @@ class Moments {
   // A picture has come.
   add(frame) {
     const { frames } = this;
+    if (frame.length !== this.linksFrom + this.told.layout.links * this.told.layout.link.length) return;
     const last = frames[frames.length - 1];
     const tick = frame[this.head.tick];
     if (last && tick < last[this.head.tick]) this.frames = [];
