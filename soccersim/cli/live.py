@@ -38,7 +38,7 @@ def command(
     soccersim live                       four robots and a ball
     soccersim live defender              a paper's run; then send the robot where you like
     soccersim live friendly-match        a match, with a referee's buttons
-    soccersim live friendly-match --home still --away chaser --window
+    soccersim live friendly-match --home human --away chaser --window
 
     Only this computer can open the page. With another --host others can too, if they know the
     address that is printed, which holds a token. docs/live.md shows what the page can do.
