@@ -1,7 +1,7 @@
 """The mates of somebody at the keys: they keep the goal, stand free, and leave the ball to him.
 
 `soccersim live friendly-match --home human --away chaser --window`: the robot that he drives does
-not hear this team. Which one that is he chooses as the match goes on: so nobody here plays the ball.
+not hear this team. Which one that is he chooses as the match goes on, so all leave the ball alone.
 
 Its strength: a pass finds somebody. Its weakness: without the human nothing happens at all.
 """
