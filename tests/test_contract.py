@@ -93,7 +93,8 @@ def test_run_has_the_contracted_options():
     assert {option for p in command.params for option in p.opts} == RUN_OPTIONS | {"scenario"}
     for verb in main.VERBS:
         command = import_module(f"soccersim.cli.{verb}").command
-        silent = verb in ("schema", "replay", "plot", "live", "new")  # the contract gives them no --json
+        # the contract gives these no --json
+        silent = verb in ("schema", "replay", "plot", "live", "new")
         assert silent or "--json" in {o for p in command.params for o in p.opts}, verb
 
 
