@@ -50,8 +50,7 @@ def command(
     if window:
         from soccersim.live.window import show_window
 
-        announce_compiling()
-        show_window(catalogue)
+        show_window(catalogue, announce_compiling)
         return
     try:
         from soccersim.live.station import bound, serve_station

@@ -1,6 +1,7 @@
 """The session in a window on the screen: one robot is driven by hand, alone or against a team."""
 
 import time
+from collections.abc import Callable
 from concurrent.futures import Future
 from typing import Any
 
@@ -157,10 +158,14 @@ class Driver:
         return [clock, middle, right, told, HELP]
 
 
-def show_window(catalogue: Catalogue) -> None:
-    """Play until the window is closed; MachineError where there is no display."""
+def show_window(catalogue: Catalogue, begin: Callable[[], None]) -> None:
+    """Play until the window is closed; MachineError where there is no display.
+
+    begin is called once there is one.
+    """
     size = open_screen()
     try:
+        begin()
         driver = Driver(catalogue, catalogue.first(), size)
         driver.session.start()
         try:

@@ -79,3 +79,13 @@ def test_without_its_library_it_says_what_to_install(soccersim, monkeypatch):
     ended = soccersim("live", "--port", "0")
     assert ended.code == 2
     assert "soccersim[live]" in ended.err
+
+
+def test_a_window_without_a_display_is_told_in_one_line(soccersim, monkeypatch):
+    for name in ("DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setattr("sys.platform", "linux")
+    ended = soccersim("live", "--window")
+    assert ended.code == 3
+    assert len(ended.lines) == 1
+    assert "no display" in ended.err
