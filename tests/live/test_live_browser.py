@@ -43,6 +43,7 @@ def moment(tab):
 
 def test_a_click_sends_the_robot_there(tab):
     at = tab.run(PIXEL.format(0.3, 0.7))
+    tab.run("soccersim.actions.speed(4)")
     tab.click(*at)
     off = "Math.hypot(soccersim.moment.robots[0].x - 0.3, soccersim.moment.robots[0].y - 0.7)"
     tab.wait(f"{off} < 0.05", 15)
@@ -50,6 +51,7 @@ def test_a_click_sends_the_robot_there(tab):
     assert abs(target["x"] - 0.3) < 0.03
     assert abs(target["y"] - 0.7) < 0.03
     tab.wait("document.getElementById('list').textContent.includes('idris there after')")
+    tab.run("soccersim.actions.speed(1)")
     told = tab.run("document.querySelector('#numbers').textContent")
     for word in ("true", "believes", "counts", "rpm", "PWM", "gyro", "wheel 3"):
         assert word in told

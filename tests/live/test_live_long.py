@@ -66,7 +66,7 @@ def bombard(scenario, count, seed):
 
 @pytest.mark.parametrize("scenario", ["training", "friendly-match"])
 def test_nonsense_is_answered(scenario):
-    bombard(scenario, 250, seed=1)
+    bombard(scenario, 150, seed=1)
 
 
 @pytest.mark.slow
