@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from fractions import Fraction
 from os import PathLike, fspath
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any, Protocol, cast
 
 import numpy as np
 import pygame
@@ -32,6 +32,15 @@ OPAQUE = np.uint32(0xFF000000)
 SAMPLES = 60  # frames whose colours go into the palette of a GIF
 
 
+class Renderer(Protocol):
+    """Whatever draws pictures onto one surface."""
+
+    surface: pygame.Surface
+
+    def draw(self, index: int) -> pygame.Surface:
+        """The picture of one record."""
+
+
 def save_video(
     recording: Recording,
     path: str | PathLike[str],
@@ -49,23 +58,35 @@ def save_video(
     if recording.match and cut.end is None:
         indices += [len(recording.tick) - 1] * round(ENDS * recording.scenario.timing.frames_hz)
     renderer = FrameRenderer(recording, cut.size)
+    fps = recording.scenario.timing.frames_hz
     try:
-        more = FOREVER.get(kind, {})
-        with av.open(fspath(path), "w", format=kind[1:], options=more) as file:
-            stream = film_stream(file, kind, cut.size, recording.scenario.timing.frames_hz)
-            try:
-                frames = _frames(av, kind, renderer, indices)
-                for number, frame in enumerate(frames):
-                    frame.pts, frame.time_base = number, 1 / Fraction(stream.codec_context.rate)
-                    file.mux(stream.encode(frame))
-                    if progress:
-                        progress(number + 1, len(indices))
-            finally:  # an interrupted film can be seen up to where it came
-                file.mux(stream.encode(None))
+        write_film(path, kind, renderer, indices, fps, progress)
     except (OSError, av.FFmpegError) as error:
         reason = getattr(error, "strerror", None) or error
         raise MachineError(f"{fspath(path)}: {reason}") from error
     return len(indices)
+
+
+def write_film(
+    path: str | PathLike[str],
+    kind: str,
+    renderer: Renderer,
+    indices: list[int],
+    fps: int,
+    progress: Progress | None = None,
+) -> None:
+    """Encode these pictures of a renderer, one after the other."""
+    av, options = _av(), FOREVER.get(kind, {})
+    with av.open(fspath(path), "w", format=kind[1:], options=options) as file:
+        stream = film_stream(file, kind, renderer.surface.size, fps)
+        try:
+            for number, frame in enumerate(_frames(av, kind, renderer, indices)):
+                frame.pts, frame.time_base = number, Fraction(1, fps)
+                file.mux(stream.encode(frame))
+                if progress:
+                    progress(number + 1, len(indices))
+        finally:  # an interrupted film can be seen up to where it came
+            file.mux(stream.encode(None))
 
 
 def film_stream(
@@ -92,9 +113,7 @@ def _av() -> Any:
     return av
 
 
-def _frames(
-    av: Any, kind: str, renderer: FrameRenderer, indices: list[int]
-) -> Iterator["VideoFrame"]:
+def _frames(av: Any, kind: str, renderer: Renderer, indices: list[int]) -> Iterator["VideoFrame"]:
     """Each frame of the film as its encoder wants it."""
     if kind == ".mp4":
         colours = Colours(av.VideoFrame(*renderer.surface.size, "yuv420p"))
