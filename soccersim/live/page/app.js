@@ -63,7 +63,10 @@ class App {
     const same = this.moments && this.moments.told.scenario === hello.scenario;
     this.moments = new Moments(hello);
     this.gains = hello.gains;
-    if (!same) this.selected = 0;
+    if (!same) {
+      this.selected = Math.max(0, hello.robots.findIndex((robot) => !robot.keeper));
+      this.trail = hello.match ? TRAIL[1] : TRAIL[2];
+    }
     this.selected = Math.min(this.selected, hello.robots.length - 1);
     this.following = false;
     const canvas = byId("field");
