@@ -69,7 +69,8 @@ class Colours:
         else:
             np.not_equal(pixels.view(np.uint64), self.pixels.view(np.uint64), out=self.differs)
         marks = self.differs.view(f"u{self.cell // 2}")  # two pixels are one bool
-        rows, columns = np.nonzero((marks[0::2] | marks[1::2]).astype(bool))
+        changed = np.flatnonzero((marks[0::2] | marks[1::2]).astype(bool))
+        rows, columns = np.divmod(changed, self.columns)
         shape = (len(self.luma), 2, self.columns, self.cell)
         new, old = pixels.reshape(shape), self.pixels.reshape(shape)
         for start in range(0, len(rows), AT_ONCE):
