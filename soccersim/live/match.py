@@ -29,7 +29,6 @@ class LiveGame(Game):
         self.seats, self.pilot = seats, pilot
         self.answers: list[Answer] = []
         self.over = False
-        self._beaten = -1
 
     def advance(self, ticks: int) -> None:
         """So many ticks, or until the match is over."""
@@ -47,9 +46,8 @@ class LiveGame(Game):
 
     def _beat(self, tick: int) -> None:
         """What happens between two pieces of play, as in Game.play."""
-        if tick % self.beat != 0 or tick == self._beaten:
+        if tick % self.beat != 0:
             return
-        self._beaten = tick
         simulation, referee, m = self.simulation, self.referee, self.simulation.machine
         self.perception.step(
             m.truth, m.readings, m.estimate, tick, referee.in_play, referee.direction

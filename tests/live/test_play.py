@@ -179,6 +179,14 @@ def test_a_picture_holds_what_is_so(play):
     assert rows[0, layout["robot"].index("tx")] == pytest.approx(-1)
 
 
+def test_nothing_is_kept_of_a_long_time(play, match):
+    for each in (play, match):
+        seconds(each, 12, piece=100)
+        assert not each.simulation._pieces
+        log = getattr(each, "game", None)
+        assert not log or not (log.log.events or any(log.log.rows.values()))
+
+
 BUTTONS = {
     "kick_off": Phase.KICK_OFF,
     "free_kick": Phase.FREE_KICK,
