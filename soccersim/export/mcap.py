@@ -107,7 +107,7 @@ def _messages(
     recording: Recording, records: range, progress: Progress | None
 ) -> Iterator[tuple[int, str, Any]]:
     """Tick, topic and content of all messages, in order of time."""
-    hz, ticks = int(recording.meta["physics_hz"]), recording.tick.tolist()
+    ticks = recording.tick.tolist()
     names = ros_names(player.name for player in recording.scenario.robots)
     arms = ros_names(arm.name for arm in recording.scenario.arms)
     first = ticks[records[0]] if records else 0
@@ -133,7 +133,7 @@ def _messages(
                 progress(index - records[0] + 1, len(records))
     for tick, content in told[at:]:
         yield max(tick, first), "/log", content
-    if progress and hz:
+    if progress:
         progress(1, 1)
 
 
