@@ -7,6 +7,8 @@ import browser
 import pytest
 from stations import station
 
+from soccersim.bundled import names
+
 pytestmark = pytest.mark.skipif(not browser.installed(), reason="no chromium on this machine")
 PIXEL = """(() => {{
   const box = document.getElementById("field").getBoundingClientRect();
@@ -116,7 +118,7 @@ def test_gains_are_chosen_by_sliders(tab, running):
 def test_another_scenario_is_opened_and_the_line_comes_back(tab, running):
     tab.run("document.getElementById('scenario').value = 'defender'")
     tab.run("document.getElementById('open').requestSubmit()")
-    tab.wait("soccersim.moments.told.scenario === 'defender' && soccersim.moment.time > 0.1")
+    tab.wait("soccersim.moments.told.scenario === 'defender' && soccersim.moment?.time > 0.1")
     assert tab.run("document.getElementById('badges').children.length") == 1
     tab.run("soccersim.link.socket.close()")
     tab.wait("soccersim.link.up && document.getElementById('veil').hidden")
@@ -132,3 +134,24 @@ def test_a_telephone_has_room_for_it(running, chromium):
     assert tab.run("getComputedStyle(document.body).backgroundColor") == "rgb(241, 244, 246)"
     assert tab.complaints() == []
     tab.close()
+
+
+def open_in(tab, name):
+    tab.run(f"soccersim.actions.open('{name}')")
+    tab.wait(f"soccersim.moments.told.opened === '{name}' && soccersim.moment?.time > 0.15")
+    tab.click(*tab.run(PIXEL.format(0.5, 0.5)))
+    tab.press("h", "KeyH")
+    tab.press("ArrowUp", "ArrowUp")
+
+
+def test_arms_alone_have_no_robots_to_pick(tab):
+    open_in(tab, "arm-table2")
+    assert tab.run("soccersim.selected") == -1
+    assert tab.run("soccersim.moment.links.length") > 0
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", names("scenario"))
+def test_every_scenario_is_shown(tab, name):
+    open_in(tab, name)
+    assert tab.complaints() == []

@@ -11,6 +11,7 @@ class Actions {
   }
 
   ask(message, then = () => {}) {
+    if (message.robot < 0) return; // a scenario of arms alone
     this.link.say(message, (answer, took) => {
       this.latest = took;
       if (answer.type === "wrong") this.complain(answer.what);

@@ -62,9 +62,10 @@ class App {
   begin(hello) {
     const same = this.moments && this.moments.told.scenario === hello.scenario;
     this.moments = new Moments(hello);
+    this.moment = null; // that of before has other robots
     this.gains = hello.gains;
     if (!same) {
-      this.selected = Math.max(0, hello.robots.findIndex((robot) => !robot.keeper));
+      this.selected = Math.max(0, hello.robots.findIndex((robot) => !robot.keeper)); // -1: arms alone
       this.trail = hello.match ? TRAIL[1] : TRAIL[2];
     }
     this.selected = Math.min(this.selected, hello.robots.length - 1);
@@ -91,6 +92,7 @@ class App {
     setText(byId("said"), "");
     this.fillBadges();
     this.pick(this.selected);
+    byId("robots").hidden = byId("charts").hidden = byId("tuning").hidden = this.selected < 0;
   }
 
   fillBadges() {
@@ -121,7 +123,7 @@ class App {
 
   takeGains(gains) {
     this.gains = gains;
-    if (!byId("gains").contains(document.activeElement)) fillGains(this);
+    if (this.selected >= 0 && !byId("gains").contains(document.activeElement)) fillGains(this);
   }
 
   news(events) {
@@ -149,7 +151,7 @@ class App {
   drawPanels(moment) {
     const { moments, link } = this;
     setText(byId("clock"), clock(moment.time, 1));
-    showBattery(moments, this.selected);
+    if (this.selected >= 0) showBattery(moments, this.selected);
     this.plots.draw();
     byId("play").classList.toggle("on", !moment.paused && !moment.over);
     byId("play").setAttribute("aria-label", moment.paused ? "go on" : "stop");
@@ -165,12 +167,12 @@ class App {
     else {
       setText(byId("half"), "");
       setText(byId("phase"), moment.paused ? "stands still" : "");
-      setText(byId("about"), `${moments.told.robots[this.selected].name} is picked`);
+      setText(byId("about"), this.selected < 0 ? "" : `${moments.told.robots[this.selected].name} is picked`);
     }
   }
 
   drive() {
-    if (!this.held.size || !this.moments) return;
+    if (!this.held.size || !this.moments || this.selected < 0) return;
     const way = [...this.held].reduce((sum, key) => sum.map((part, i) => part + WAYS[key][i]), [0, 0, 0]);
     this.actions.drive(this.selected, way[0], way[1], 1.5 * way[2]);
   }

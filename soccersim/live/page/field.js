@@ -83,6 +83,7 @@ class FieldControl {
     const aims = pixels > (app.tool === "send" ? AIM : CLICK);
     if (app.tool === "send") {
       const robot = app.moment.robots[app.selected];
+      if (!robot) return;
       drawTarget(pen, look, { x: start[0], y: start[1], heading: aims ? Math.atan2(dy, dx) : robot.believed.heading }, pixel);
     } else if (app.tool === "ball") disc(pen, ...start, Math.max(app.moments.told.ball || 0.11, 5 * pixel), look.ball);
     if (!aims) return;

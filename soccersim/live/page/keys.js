@@ -20,7 +20,7 @@ class Keys {
   buttons() {
     const { app } = this;
     const on = (id, act) => byId(id).addEventListener("click", act);
-    on("play", () => app.actions.pause(!app.moment.paused));
+    on("play", () => app.moment && app.actions.pause(!app.moment.paused));
     on("step", () => app.actions.step(app.moments.told.control));
     on("again", () => openedBy(app));
     on("follow", () => app.follow(!app.following));
@@ -30,7 +30,7 @@ class Keys {
     on("halt", () => app.actions.halt(app.selected));
     on("release", () => app.actions.release(app.selected));
     on("kick", () => app.actions.kick(app.selected, Number(byId("power").value)));
-    on("dribble", () => app.actions.dribble(app.selected, app.moments.of(app.moments.now, app.selected, "dribble") === 0));
+    on("dribble", () => app.moment && app.actions.dribble(app.selected, app.moments.of(app.moments.now, app.selected, "dribble") === 0));
     for (const button of document.querySelectorAll("[data-tool]")) button.addEventListener("click", () => app.setTool(button.dataset.tool));
     byId("power").addEventListener("input", () => setText(byId("power-told"), `${byId("power").value} m/s`));
     byId("speed").addEventListener("change", () => {
