@@ -9,6 +9,7 @@ from contextlib import contextmanager
 import numpy as np
 from websockets.sync.client import connect
 
+from soccersim import Simulation, load_scenario
 from soccersim.live.catalogue import Catalogue
 from soccersim.live.station import bound, open_station
 
@@ -16,6 +17,7 @@ from soccersim.live.station import bound, open_station
 @contextmanager
 def station(scenario="training", host="127.0.0.1", **more):
     """Gate and session of a station that runs; `cpu` of the gate's thread is told by load()."""
+    Simulation(load_scenario("training")).step()  # compiling takes longer than a browser waits
     catalogue, ready, told = Catalogue(scenario, **more), threading.Event(), {}
     listener = bound(host, 0)
 

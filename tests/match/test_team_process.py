@@ -190,7 +190,8 @@ def test_answers_to_what_was_never_asked_hold_nobody_up(team, apart):
         "import mmap\nself.hoard = mmap.mmap(-1, 2**33)",
     ],
 )
-def test_a_team_gets_its_share_of_the_memory_and_no_more(team, apart, trick):
+def test_a_team_gets_its_share_of_the_memory_and_no_more(team, apart, trick, monkeypatch):
+    monkeypatch.setattr(stopwatch, "DECISION", 9.0)  # filling it may take a busy machine a second
     if not os.path.exists("/proc/self/statm"):
         pytest.skip("no limits that hold")
     decision, forfeit = played(apart(team(trick)))
