@@ -9,7 +9,6 @@ from contextlib import contextmanager
 import numpy as np
 from websockets.sync.client import connect
 
-from soccersim import Simulation, load_scenario
 from soccersim.live.catalogue import Catalogue
 from soccersim.live.station import bound, open_station
 
@@ -17,7 +16,6 @@ from soccersim.live.station import bound, open_station
 @contextmanager
 def station(scenario="training", host="127.0.0.1", **more):
     """Gate and session of a station that runs; `cpu` of the gate's thread is told by load()."""
-    Simulation(load_scenario("training")).step()  # compiling takes longer than a browser waits
     catalogue, ready, told = Catalogue(scenario, **more), threading.Event(), {}
     listener = bound(host, 0)
 
@@ -40,6 +38,9 @@ def station(scenario="training", host="127.0.0.1", **more):
     assert ready.wait(60)
     gate, session = told["opened"]
     session.loop = told["loop"]
+    end = time.monotonic() + 90.0
+    while session.play.tick == 0 and time.monotonic() < end:
+        time.sleep(0.01)  # compiling takes longer than a browser waits
     try:
         yield gate, session
     finally:

@@ -100,7 +100,7 @@ def disturbed(campaign, chance, kills, **more):
 @pytest.mark.parametrize(
     ("kills", "pairs", "child"),
     [
-        (10, 15, "quick"),
+        (4, 8, "quick"),
         pytest.param(50, 75, "quick", marks=pytest.mark.slow),
         pytest.param(50, 60, "real", marks=pytest.mark.slow),
     ],

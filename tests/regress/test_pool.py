@@ -24,9 +24,8 @@ from soccersim.regress.store import Store
 from soccersim.regress.warm import CAN_FORK
 
 RUSH = str(Path(__file__).parents[1] / "match" / "teams" / "rush.py")
-HOWS = pytest.mark.parametrize(
-    "fork", [pytest.param(True, marks=pytest.mark.skipif(not CAN_FORK, reason="forks")), False]
-)
+FORKS = pytest.mark.skipif(not CAN_FORK, reason="forks")
+HOWS = pytest.mark.parametrize("fork", [pytest.param(True, marks=FORKS), False])
 
 
 @pytest.fixture
@@ -66,7 +65,9 @@ POISONS = {
 }
 
 
-@HOWS
+@pytest.mark.parametrize(
+    "fork", [pytest.param(True, marks=FORKS), pytest.param(False, marks=pytest.mark.slow)]
+)
 def test_a_poisonous_team_among_eighty_good_matches_costs_only_its_own(
     legs, pool, store, team, monkeypatch, fork, tmp_path
 ):
