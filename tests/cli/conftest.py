@@ -3,26 +3,12 @@
 import os
 import subprocess
 import sys
-from dataclasses import dataclass
 
 import pytest
+from ended import Ended
 
 from soccersim import Simulation, load_scenario
 from soccersim.cli.main import main
-
-
-@dataclass(frozen=True)
-class Ended:
-    """How a command ended."""
-
-    code: int
-    out: str
-    err: str
-
-    @property
-    def lines(self):
-        """What stands on standard error."""
-        return self.err.splitlines()
 
 
 @pytest.fixture

@@ -3,10 +3,10 @@
 import sys
 import textwrap
 from concurrent.futures import Future
-from dataclasses import dataclass
 
 import make_believe
 import pytest
+from ended import Ended
 
 from soccersim import load_scenario
 from soccersim.cli.main import main
@@ -103,20 +103,6 @@ class Told:
 def told():
     """Makes such a pool."""
     return Told
-
-
-@dataclass(frozen=True)
-class Ended:
-    """How a command ended."""
-
-    code: int
-    out: str
-    err: str
-
-    @property
-    def lines(self):
-        """What stands on standard error."""
-        return self.err.splitlines()
 
 
 @pytest.fixture

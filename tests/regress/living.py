@@ -1,6 +1,7 @@
-"""Which processes live, and whether they have ended soon."""
+"""Which processes live, whether they have ended soon, and killing some of them."""
 
 import os
+import signal
 import time
 from pathlib import Path
 
@@ -53,3 +54,18 @@ def marked(mark):
         except OSError:
             continue
     return [pid for pid in found if pid != os.getpid()]
+
+
+def killed(chance, coordinator, mark):
+    """Kill the coordinator, one process of the others, or all of them; whether it was the first."""
+    workers = [pid for pid in marked(mark) if pid != coordinator.pid]
+    part = chance.choice(["coordinator", "one", "one", "all"])
+    if part == "coordinator":
+        coordinator.kill()
+        return True
+    for pid in workers if part == "all" else chance.sample(workers, min(1, len(workers))):
+        try:
+            os.kill(pid, signal.SIGKILL)
+        except ProcessLookupError:
+            continue
+    return False

@@ -10,7 +10,7 @@ import uuid
 from pathlib import Path
 
 import pytest
-from living import has_ended_soon, marked
+from living import has_ended_soon, killed, marked
 
 from soccersim.regress.store import Store
 
@@ -63,21 +63,6 @@ def table(path):
         kept = path.with_name(f"{path.name}.recordings") / (row.recording or "none")
         assert kept.exists() == bool(row.recording)
     return [row.result for row in rows]
-
-
-def killed(chance, coordinator, mark):
-    """Kill the coordinator, one process of the others, or all of them; whether it was the first."""
-    workers = [pid for pid in marked(mark) if pid != coordinator.pid]
-    part = chance.choice(["coordinator", "one", "one", "all"])
-    if part == "coordinator":
-        coordinator.kill()
-        return True
-    for pid in workers if part == "all" else chance.sample(workers, min(1, len(workers))):
-        try:
-            os.kill(pid, signal.SIGKILL)
-        except ProcessLookupError:
-            continue
-    return False
 
 
 def disturbed(campaign, chance, kills, **more):

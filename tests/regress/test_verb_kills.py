@@ -11,7 +11,7 @@ import uuid
 from pathlib import Path
 
 import pytest
-from living import has_ended_soon, marked
+from living import has_ended_soon, killed, marked
 
 from soccersim.regress.store import Store
 
@@ -64,21 +64,6 @@ def told(process):
     document = json.loads(out)
     del document["matches"], document["results"]
     return document
-
-
-def killed(chance, coordinator, mark):
-    """Kill the coordinator, one process of the others, or all of them; whether it was the first."""
-    workers = [pid for pid in marked(mark) if pid != coordinator.pid]
-    part = chance.choice(["coordinator", "one", "one", "all"])
-    if part == "coordinator":
-        coordinator.kill()
-        return True
-    for pid in workers if part == "all" else chance.sample(workers, min(1, len(workers))):
-        try:
-            os.kill(pid, signal.SIGKILL)
-        except ProcessLookupError:
-            continue
-    return False
 
 
 def disturbed(soccersim, chance, kills, asked):
