@@ -23,6 +23,7 @@ VERBS = {
 RUN_OPTIONS = {
     *("--seed", "--out", "--set", "--frames", "--video", "--no-plot", "--runs", "--jobs"),
     *("--json", "--force"),
+    *("--from", "--to", "--speed", "--size"),  # of --video and --frames
 }
 
 

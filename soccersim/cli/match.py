@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from soccersim.cli.film import PLAIN, FilmCommand, asked_film, can_show, video_option
 from soccersim.cli.main import INVALID
 from soccersim.cli.results import Results
 from soccersim.cli.run import announce_compiling, write
@@ -16,11 +17,11 @@ if TYPE_CHECKING:
     from soccersim.match.supervise import Outcome, Request
     from soccersim.match.turn import State
 
-FILES = ("report.json", "recording.npz", "video.mp4", "frames")
+FILES = ("report.json", "recording.npz", PLAIN, "frames")
 PATIENCE = 2.0  # s before the bar appears
 
 
-@click.command("match", short_help="Play a match.")
+@click.command("match", cls=FilmCommand, short_help="Play a match.")
 @click.argument("home")
 @click.argument("away")
 @click.option("--scenario", default="msl-match", show_default=True, help="Bundled name or file.")
@@ -29,7 +30,7 @@ PATIENCE = 2.0  # s before the bar appears
 @click.option("--set", "settings", multiple=True, metavar="KEY.PATH=VALUE", help="Change a value.")
 @click.option("--out", type=click.Path(path_type=Path), help="Folder for the files.")
 @click.option("--frames", is_flag=True, help="Write frames/000000.png and so on, into --out.")
-@click.option("--video", is_flag=True, help="Write video.mp4 into --out.")
+@video_option
 @click.option(
     "--isolate",
     type=click.Choice(["match", "team"]),
@@ -48,10 +49,11 @@ def command(
     settings: tuple[str, ...],
     out: Path | None,
     frames: bool,
-    video: bool,
+    video: str | None,
     isolate: Any,
     force: bool,
     as_json: bool,
+    **part: Any,
 ) -> None:
     """Play a match of two strategies, HOME against AWAY, and tell how it came out.
 
@@ -83,11 +85,13 @@ def command(
         settings=settings,
         isolate=isolate,
     )
+    cut = asked_film(video, frames, asked.scenario.duration, **part)
     name = "recording.npz" if out else f"match-{asked.scenario.seed}.npz"
     if not out and not force and Path(name).exists():
         wrong = "is there already: add --force, or name a folder with --out"
         raise InputError(Problem(wrong, name))
-    with Results(out or Path(), FILES if out else (name,), force) as results:
+    names = tuple(dict.fromkeys((*FILES, video or PLAIN))) if out else (name,)
+    with Results(out or Path(), names, force) as results:
         announce_compiling()
         outcome = recorded(asked, results, name)
         document = told(home, away, asked, outcome, str(results.folder / name))
@@ -95,9 +99,9 @@ def command(
             recording = Recording.load(document["recording"])
             report = {**document, "report": match_report(recording)}
         if out:
-            begun = len(recording.tick) > 0  # else a team forfeited at once: nothing to draw
-            wanted = {"report.json": True, "frames": begun and frames, "video.mp4": begun and video}
-            write(recording, report, results, wanted)
+            shown = (frames or video) and can_show(cut, recording)
+            film = {"frames": shown and frames, video or PLAIN: shown and video}
+            write(recording, report, results, {"report.json": True, **film}, cut)
         if as_json:
             click.echo(json.dumps(document, allow_nan=False))
         else:

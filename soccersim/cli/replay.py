@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from soccersim.cli.film import film_cut, film_options
 from soccersim.cli.results import Results
 
 if TYPE_CHECKING:
@@ -30,10 +31,7 @@ BAR = {  # what is written, and what the bar says meanwhile
 @click.option("--frames", type=FILE, help="Write PNG frames into a folder.")
 @click.option("--mcap", type=FILE, help="Write a log for Foxglove and other tools of robotics.")
 @click.option("--csv", type=FILE, help="Write a table with a row for each recorded tick.")
-@click.option("--from", "start", type=float, metavar="S", help="Begin there, in seconds.")
-@click.option("--to", "end", type=float, metavar="S", help="End there, in seconds.")
-@click.option("--speed", type=float, metavar="X", help="Of film and frames: 0.25 is slow motion.")
-@click.option("--size", metavar="WxH", help="Of film and frames, in pixels.")
+@film_options
 @click.option("--force", is_flag=True, help="Overwrite what is there.")
 def command(
     recording: Path,
@@ -73,18 +71,9 @@ def command(
     if not (verify or wanted):
         click.echo(described(loaded))
     if wanted:
-        _write_all(loaded, wanted, _cut(start, end, speed, size), force)
+        _write_all(loaded, wanted, film_cut(start, end, speed, size), force)
     if verify:
         _verify(loaded)
-
-
-def _cut(start: float | None, end: float | None, speed: float | None, size: str | None) -> "Cut":
-    from soccersim.render.cut import Cut, film_size
-    from soccersim.render.look import SIZE
-
-    return Cut(
-        start, end, 1.0 if speed is None else speed, SIZE if size is None else film_size(size)
-    )
 
 
 def _write_all(recording: "Recording", wanted: dict[str, Path], cut: "Cut", force: bool) -> None:

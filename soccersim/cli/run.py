@@ -7,23 +7,25 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from soccersim.cli.film import PLAIN, FilmCommand, asked_film, can_show, video_option
 from soccersim.cli.results import Results
 from soccersim.problems import InputError, Problem, Stopped, one_line
 
 if TYPE_CHECKING:
     from soccersim.record import Recording
+    from soccersim.render.cut import Cut
     from soccersim.spec.scenario import Scenario
 
-FILES = ("report.json", "trajectory.png", "recording.npz", "video.mp4", "frames")
+FILES = ("report.json", "trajectory.png", "recording.npz", PLAIN, "frames")
 
 
-@click.command("run", short_help="Run a scenario.")
+@click.command("run", cls=FilmCommand, short_help="Run a scenario.")
 @click.argument("scenario")
 @click.option("--seed", type=click.IntRange(min=0), help="Instead of the scenario's own.")
 @click.option("--out", type=click.Path(path_type=Path), help="Folder for the files.")
 @click.option("--set", "settings", multiple=True, metavar="KEY.PATH=VALUE", help="Change a value.")
 @click.option("--frames", is_flag=True, help="Write frames/000000.png and so on, into --out.")
-@click.option("--video", is_flag=True, help="Write video.mp4 into --out.")
+@video_option
 @click.option("--no-plot", is_flag=True, help="Leave trajectory.png out.")
 @click.option("--runs", type=click.IntRange(1, 100_000), default=1, help="Repeat over seeds.")
 @click.option("--jobs", type=click.IntRange(1, 256), default=1, help="Processes for --runs.")
@@ -35,18 +37,20 @@ def command(
     out: Path | None,
     settings: tuple[str, ...],
     frames: bool,
-    video: bool,
+    video: str | None,
     no_plot: bool,
     runs: int,
     jobs: int,
     force: bool,
     as_json: bool,
+    **part: Any,
 ) -> None:
     """Run SCENARIO, a bundled name (`soccersim list`) or a YAML file, and report on each leg.
 
     \b
     soccersim run defender
     soccersim run defender --out results --video
+    soccersim run defender --out results --video turn.gif --from 3 --to 5 --size 640x428
     soccersim run striker --runs 200 --jobs 2
     soccersim run ./my.yaml --set robots.0.model.mass=25 --seed 3
 
@@ -62,20 +66,23 @@ def command(
         wrong = f"is a match: `soccersim match HOME AWAY --scenario {one_line(scenario)}` plays it"
         raise InputError(Problem(wrong, one_line(scenario)))
     check_seeds(spec.seed, runs)
-    with Results(out, FILES, force) if out else nullcontext() as results:
+    cut = asked_film(video, frames, spec.duration, **part)
+    names = tuple(dict.fromkeys((*FILES, video or PLAIN)))
+    with Results(out, names, force) if out else nullcontext() as results:
         announce_compiling()
         recording, document = simulate(spec, runs, jobs)
         done = len(document.get("runs", [0]))
         goes_on = done == runs  # else there was a Ctrl-C: no pictures
-        wanted = {
-            "report.json": True,
-            "recording.npz": True,
-            "trajectory.png": goes_on and not no_plot,
-            "frames": goes_on and frames,
-            "video.mp4": goes_on and video,
-        }
         if results:
-            write(recording, document, results, wanted)
+            shown = goes_on and (frames or video) and can_show(cut, recording)
+            wanted = {
+                "report.json": True,
+                "recording.npz": True,
+                "trajectory.png": goes_on and not no_plot,
+                "frames": shown and frames,
+                video or PLAIN: shown and video,
+            }
+            write(recording, document, results, wanted, cut)
     if as_json:
         click.echo(json.dumps(document, allow_nan=False))
     else:
@@ -130,13 +137,17 @@ def simulate(spec: "Scenario", runs: int, jobs: int) -> tuple["Recording", dict[
 
 
 def write(
-    recording: "Recording", document: dict[str, Any], results: Results, wanted: dict[str, bool]
+    recording: "Recording",
+    document: dict[str, Any],
+    results: Results,
+    wanted: dict[str, Any],
+    cut: "Cut",
 ) -> None:
     """The run's files, each whole or not at all."""
     try:
         for name in filter(wanted.get, wanted):
             with results.new(name) as path:
-                write_one(name, recording, document, path)
+                write_one(name, recording, document, path, cut)
         results.done()
     except KeyboardInterrupt:
         kept = ", ".join(map(str, results.written)) or "nothing"
@@ -145,7 +156,9 @@ def write(
         ) from None
 
 
-def write_one(name: str, recording: "Recording", document: dict[str, Any], path: Path) -> None:
+def write_one(
+    name: str, recording: "Recording", document: dict[str, Any], path: Path, cut: "Cut"
+) -> None:
     """One of the run's files."""
     from soccersim.cli.progress import Bar
 
@@ -162,12 +175,13 @@ def write_one(name: str, recording: "Recording", document: dict[str, Any], path:
         from soccersim.render.frames import save_frames
 
         with Bar("drawing frames") as bar:
-            save_frames(recording, path, bar.count)
+            save_frames(recording, path, bar.count, cut)
     else:
+        from soccersim.render.cut import film_kind
         from soccersim.render.video import save_video
 
         with Bar("encoding video") as bar:
-            save_video(recording, path, bar.count, kind=".mp4")
+            save_video(recording, path, bar.count, cut, film_kind(name))
 
 
 def check_seeds(first: int, runs: int) -> None:

@@ -20,6 +20,7 @@ KEYS = {
 OPTIONS = {
     *("--scenario", "--seed", "--duration", "--set", "--out", "--frames", "--video", "--isolate"),
     *("--force", "--json"),
+    *("--from", "--to", "--speed", "--size"),  # of --video and --frames
 }
 TEAM = """\
 from soccersim.strategy import Command, Strategy
