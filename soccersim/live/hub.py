@@ -65,6 +65,13 @@ class Hub:
     def __init__(self, loop: asyncio.AbstractEventLoop) -> None:
         self.loop = loop
         self.viewers: set[Viewer] = set()
+        self.picture: bytes | None = None  # the newest
+
+    def join(self, viewer: Viewer) -> None:
+        """One more; it sees at once what there is to see."""
+        self.viewers.add(viewer)
+        if self.picture is not None:
+            viewer.show(self.picture)
 
     def listen(self, told: bytes | dict[str, Any]) -> None:
         """What the session tells."""
@@ -73,13 +80,16 @@ class Hub:
 
     def _spread(self, told: bytes | dict[str, Any]) -> None:
         if isinstance(told, bytes):
+            self.picture = told
             for viewer in self.viewers:
                 viewer.show(told)
         else:
             text = text_of(told)
+            if told["type"] == "hello":
+                self.picture = None  # of what was open before: nobody could read it now
             for viewer in self.viewers:
                 if told["type"] == "hello":
-                    viewer.picture = None  # of what was open before: nobody could read it now
+                    viewer.picture = None
                 viewer.tell(text)
 
 

@@ -92,7 +92,7 @@ class LiveServer:
         """One browser, from its greeting to its end."""
         viewer = Viewer(connection)
         viewer.tell(text_of(self.session.greeting()))
-        self.hub.viewers.add(viewer)
+        self.hub.join(viewer)
         self.session.viewers = len(self.hub.viewers)
         writing = asyncio.create_task(self._write(viewer))
         try:

@@ -11,6 +11,7 @@ from concurrent.futures import Future
 from queue import Empty, Full, Queue
 from typing import Any
 
+from soccersim.kernel import will_compile
 from soccersim.live import messages as say
 from soccersim.live.catalogue import Catalogue
 from soccersim.live.frame import Framer
@@ -25,6 +26,7 @@ BEHIND = 0.25  # s that may be caught up with; what is later is left
 WAITING = 500  # messages that may wait
 EVENTS = 200  # that are kept for browsers that come later
 MEASURED = 1.0  # s over which the pace is measured
+COMPILING = "compiling the physics, once; about half a minute"
 
 Telling = Callable[[bytes | dict[str, Any]], None]
 Answer = dict[str, Any]
@@ -42,6 +44,7 @@ class Session:
         self._paces: deque[tuple[float, int]] = deque()
         self._owed = 0.0  # s of simulation that are due
         self._late = 0.0  # s that the last picture came after its time
+        self._compiles = time.monotonic() if will_compile() else None  # since when
         self._take(play)
         self._thread = threading.Thread(target=self._run, name="simulation", daemon=True)
 
@@ -53,21 +56,36 @@ class Session:
         """Stop, and end what belongs to it."""
         self._ending.set()
         if self._thread.is_alive():
-            self._thread.join(10)
+            self._thread.join(0.1 if self._compiles else 10)  # compiling cannot be interrupted
         self.play.close()
 
     def ask(self, message: say.Message) -> "Future[Answer]":
         """The answer, once it is done; Wrong where too many wait or it cannot be done."""
         future: Future[Answer] = Future()
         try:
+            if self._compiles is not None:
+                raise Wrong(f"not yet: {COMPILING}", message.id)
             self._asked.put_nowait((message, future))
         except Full:
             future.set_exception(Wrong("too much at once: ask again", message.id))
+        except Wrong as wrong:
+            future.set_exception(wrong)
         return future
 
     def greeting(self) -> dict[str, Any]:
         """What a browser is told first: read by its thread, written as a whole by ours."""
-        return self._hello | {"events": list(self._events), "gains": self._gains}
+        return self._hello | {
+            "events": list(self._events),
+            "gains": self._gains,
+            "labels": self._labels,
+            "notes": self._notes,
+            "waits": self.waits(),
+        }
+
+    def waits(self) -> tuple[str, float] | None:
+        """What must be done before anything moves, and for how long it has been under way, s."""
+        since = self._compiles
+        return None if since is None else (COMPILING, time.monotonic() - since)
 
     def _take(self, play: Play) -> None:
         """Go on with this play, from its start."""
@@ -75,8 +93,7 @@ class Session:
         self._events.clear()
         self._paces.clear()
         self._owed = 0.0
-        self._labels: list[str] = []
-        self._notes: list[Any] = []
+        self._labels, self._notes = play.labels(), play.notes()
         self._gains = play.told_gains()
         self._hello = hello(play, self._framer.layout(), self.catalogue)
 
@@ -84,6 +101,7 @@ class Session:
         """Until the end: obey, advance, tell, wait."""
         last = due = shown = time.monotonic()
         changed = True
+        self._show(last)  # before the first step, which may have to be compiled
         while not self._ending.is_set():
             now = time.monotonic()
             if not self.paused and not self.play.over:
@@ -106,7 +124,10 @@ class Session:
             play.over = True
             play.tell(f"the simulation has stopped: {told(error)}", "fault")
         self._owed -= (play.tick - before) / play.hz
-        return play.tick != before or play.over
+        moved = play.tick != before or play.over
+        if moved:
+            self._compiles = None  # what the first step needs serves all others
+        return moved
 
     def _listen(self, until: float) -> bool:
         """Obey what comes in until then; whether there was anything."""
@@ -150,6 +171,7 @@ class Session:
                 self._take(play)
                 old.close()
                 self.listen(self.greeting())
+                self._show(time.monotonic())  # its first step may take long
             case _:
                 if self.play.over:
                     raise Wrong("it is over: start it again, or open something else")

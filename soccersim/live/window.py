@@ -151,6 +151,8 @@ class Driver:
             right = PHASES[int(head["phase"])].replace("_", "-")
         if head["paused"]:
             right = "stands still"
+        if waits := self.session.waits():
+            middle = f"{waits[0]}: {waits[1]:.0f} s"
         word = self.word if time.monotonic() - self.worded < SHOWN else ""
         player = scenario.robots[self.picked]
         state = "" if playing[self.picked] else ", out of play"

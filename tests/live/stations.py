@@ -14,8 +14,8 @@ from soccersim.live.station import bound, open_station
 
 
 @contextmanager
-def station(scenario="training", host="127.0.0.1", **more):
-    """Gate and session of a station that runs; `cpu` of the gate's thread is told by load()."""
+def station(scenario="training", host="127.0.0.1", moves=True, **more):
+    """Gate and session of a station, once it moves; `cpu` is what its serving thread works."""
     catalogue, ready, told = Catalogue(scenario, **more), threading.Event(), {}
     listener = bound(host, 0)
 
@@ -39,7 +39,7 @@ def station(scenario="training", host="127.0.0.1", **more):
     gate, session = told["opened"]
     session.loop = told["loop"]
     end = time.monotonic() + 90.0
-    while session.play.tick == 0 and time.monotonic() < end:
+    while moves and session.play.tick == 0 and time.monotonic() < end:
         time.sleep(0.01)  # compiling takes longer than a browser waits
     try:
         yield gate, session

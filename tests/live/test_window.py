@@ -6,6 +6,7 @@ import pygame
 import pytest
 
 from soccersim.live.catalogue import Catalogue
+from soccersim.live.frame import HEAD
 from soccersim.live.window import Driver
 from soccersim.problems import MachineError
 from soccersim.render import look
@@ -67,6 +68,13 @@ def test_keys_drive_a_robot_and_the_picture_shows_it(driver):
     until(driver, lambda: driver.picked == 0 and "no kicker" in driver.word)
     press(pygame.K_ESCAPE)
     assert not driver.turn()
+
+
+@pytest.mark.parametrize("driver", [("training",)], indirect=True)
+def test_the_window_says_what_it_waits_for(driver, monkeypatch):
+    monkeypatch.setattr(driver.session, "waits", lambda: ("compiling the physics", 12.3))
+    head = dict.fromkeys(HEAD, 0.0)
+    assert driver._words(head, [1] * 4)[1] == "compiling the physics: 12 s"
 
 
 @pytest.mark.parametrize("driver", [("friendly-match",)], indirect=True)

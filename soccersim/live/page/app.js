@@ -40,17 +40,15 @@ class App {
       hello: (told) => this.begin(told),
       picture: (frame) => this.moments && this.moments.add(frame),
       news: (told) => this.news(told.events),
-      words: (told) => Object.assign(this.moments, { labels: told.labels, notes: told.notes.length ? told.notes : [[], []] }),
+      words: (told) => this.moments.say(told),
       gains: (told) => this.takeGains(told.gains),
-      state: (up) => {
-        byId("veil").hidden = up;
-      },
     });
     this.actions = new Actions(this.link);
     this.setTheme();
     fillReferee(this);
     new Keys(this);
     setInterval(() => this.drive(), DRIVING);
+    setInterval(() => setWaiting(this), PANELS);
     const loop = (now) => {
       this.draw(now);
       requestAnimationFrame(loop);
@@ -60,6 +58,7 @@ class App {
 
   // Another scenario, or the same from its start.
   begin(hello) {
+    this.begun = performance.now();
     const same = this.moments && this.moments.told.scenario === hello.scenario;
     this.moments = new Moments(hello);
     this.moment = null; // that of before has other robots

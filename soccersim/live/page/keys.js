@@ -139,6 +139,20 @@ function fillToggles(app) {
   }));
 }
 
+const PATIENCE = 1500; // ms without a picture; then one is told so
+
+// What is waited for, and for how long.
+function setWaiting(app) {
+  const { link, moments } = app;
+  const waits = moments && moments.told.waits;
+  let [text, since] = ["", link.silence];
+  if (!link.up) text = link.refusal || "no connection; trying again …";
+  else if (waits && !(app.moment && app.moment.time > 0)) [text, since] = [waits[0], 1000 * waits[1] + performance.now() - app.begun];
+  else if (since > PATIENCE) text = "the simulation is busy; one moment …";
+  setText(byId("veil"), text && !link.refusal ? `${text} ${Math.floor(since / 1000)} s` : text);
+  byId("veil").hidden = !text;
+}
+
 // Score, phase and clock of a match.
 function showMatch(moment) {
   setText(byId("score"), moment.score.join(" : "));

@@ -5,12 +5,14 @@ const RETRIES = [250, 500, 1000, 2000]; // ms
 const MEASURED = 2000; // ms over which pictures are counted
 
 class Link {
-  // heard: {hello, words, gains, news, picture, state}
+  // heard: {hello, words, gains, news, picture}
   constructor(heard) {
     this.heard = heard;
     this.waiting = new Map();
     this.number = 0;
     this.tries = 0;
+    this.since = performance.now(); // when it was opened or lost
+    this.refusal = ""; // why the station does not let us in
     this.arrivals = [];
     this.delay = NaN;
     this.open();
@@ -23,12 +25,14 @@ class Link {
     socket.binaryType = "arraybuffer";
     socket.addEventListener("open", () => {
       this.tries = 0;
-      this.heard.state(true);
+      this.since = performance.now();
+      this.refusal = "";
       this.ping();
     });
     socket.addEventListener("message", (event) => this.hear(event.data));
     socket.addEventListener("close", () => {
-      this.heard.state(false);
+      if (this.tries === 0) this.since = performance.now();
+      else this.why();
       for (const { answered } of this.waiting.values()) answered({ type: "wrong", what: "the connection was lost" });
       this.waiting.clear();
       setTimeout(() => this.open(), RETRIES[Math.min(this.tries++, RETRIES.length - 1)]);
@@ -38,6 +42,16 @@ class Link {
 
   get up() {
     return this.socket.readyState === WebSocket.OPEN;
+  }
+
+  // A WebSocket does not tell why it is refused; the same address does.
+  async why() {
+    try {
+      const answer = await fetch(`/live${location.search}`);
+      if ([403, 503].includes(answer.status)) this.refusal = (await answer.text()).replace("soccersim live: ", "");
+    } catch {
+      this.refusal = ""; // nobody is there
+    }
   }
 
   hear(data) {
@@ -71,6 +85,12 @@ class Link {
     const id = ++this.number;
     this.waiting.set(id, { at: performance.now(), answered: () => {} });
     this.socket.send(JSON.stringify({ do: "ping", id }));
+  }
+
+  // Milliseconds since something came, or since the line was opened or lost.
+  get silence() {
+    const last = this.arrivals[this.arrivals.length - 1] || 0;
+    return performance.now() - (this.up ? Math.max(last, this.since) : this.since);
   }
 
   // Pictures a second.

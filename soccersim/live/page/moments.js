@@ -16,8 +16,13 @@ class Moments {
     this.size = layout.robot.length + layout.wheels * layout.wheel.length;
     this.linksFrom = this.first + layout.robots * this.size;
     this.frames = [];
-    this.labels = hello.robots.map(() => "");
-    this.notes = [[], []];
+    this.say(hello);
+  }
+
+  // What teams call what their robots do, and what they drew.
+  say({ labels, notes }) {
+    this.labels = labels;
+    this.notes = notes.length ? notes : [[], []];
   }
 
   // A picture has come.
