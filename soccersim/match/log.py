@@ -40,6 +40,7 @@ class MatchLog:
         rows["contact"].append(m.readings.contact.astype(np.uint8))
         rows["kicked"].append(m.handling.kicked.astype(np.int32))
         rows["ball_believed"].append([_ball(game.sheets[i], referee.direction[i]) for i in (0, 1)])
+        rows["ball_sighted"].append(game.perception.sighted().astype(np.float32))
         rows["phase"].append(PHASES.index(referee.phase))
         rows["whose"].append(-1 if referee.whose is None else referee.whose)
         rows["started"].append(referee.started)
@@ -87,6 +88,7 @@ ROWS: dict[str, tuple[Any, tuple[int, ...]]] = {  # array: its numbers, shape of
     "contact": (np.uint8, (-1,)),
     "kicked": (np.int32, (-1,)),
     "ball_believed": (np.float64, (2, 5)),
+    "ball_sighted": (np.float32, (-1, 2)),
     "phase": (np.uint8, ()),
     "whose": (np.int8, ()),
     "started": (np.uint8, ()),

@@ -17,6 +17,7 @@ STEPS: dict[str, list[float]] = {  # of each array of a match that is rounded, a
     "estimate": [TENTH] * 3,
     "orders": [MILLIMETRE] * 5,
     "ball_believed": [MILLIMETRE] * 5,
+    "ball_sighted": [MILLIMETRE] * 2,
 }
 Numbers = NDArray[Any]
 NOTHING = -(2**31)  # stands for NaN

@@ -36,6 +36,7 @@ MATCH = (  # D decisions of a match
     "contact",
     "kicked",
     "ball_believed",
+    "ball_sighted",
     "phase",
     "whose",
     "started",

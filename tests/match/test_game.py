@@ -33,6 +33,24 @@ def test_a_match_is_played_by_all_and_written_down(match):
     assert {row[2] for row in recording.match["labels"]} >= {"wait", "kick", ""}
 
 
+def test_what_cameras_saw_of_the_ball_is_written_down(match):
+    recording = match.recording
+    seen, sight = recording.arrays["ball_sighted"], recording.scenario.senses.camera.ball
+    assert 0.0 < recording.scenario.senses.camera.delay < 0.04  # so a picture is 40 ms old
+    then = np.searchsorted(recording.tick, recording.arrays["decision_tick"][:-1])
+    body, seen = recording.body[then].astype(float), seen[1:]
+    ball = body[:, 10:, :2]
+    away = np.hypot(*(body[:, :10, :2] - ball).transpose(2, 0, 1))
+    there, near = np.isfinite(seen[..., 0]), away < sight.range
+    assert not there[~near].any()
+    assert there[near].mean() == pytest.approx(1 - sight.dropout, abs=0.02)
+    radial, tangential = (
+        a + b * away + c * away**2 for a, b, c in (sight.radial, sight.tangential)
+    )
+    off = np.hypot(*(seen - ball).transpose(2, 0, 1)) / np.hypot(radial, tangential)
+    assert 1.0 < np.sqrt(np.mean(off[there] ** 2)) < 1.5  # own poses have their errors too
+
+
 @pytest.mark.parametrize("scenario", ["friendly-match", "msl-match"])
 def test_exchanging_a_team_and_its_copy_changes_nothing(tmp_path, scenario):
     """All asymmetry is of the slots: a copy elsewhere, under another name, changes nothing."""
