@@ -78,9 +78,11 @@ def command(
 
 def _write_all(recording: "Recording", wanted: dict[str, Path], cut: "Cut", force: bool) -> None:
     """Each file whole or not at all; nothing is begun before all that was asked for is possible."""
-    from soccersim.render.cut import film_kind
+    from soccersim.render.cut import film_kind, shown
 
     cut.check(recording.duration)
+    if {"mcap", "csv"} & set(wanted):
+        shown(recording, cut.start, cut.end)
     if "video" in wanted:
         film_kind(wanted["video"])
     each = [

@@ -2,13 +2,19 @@
 
 import json
 from collections.abc import Callable, Iterator
+from heapq import merge
+from itertools import takewhile
+from math import inf
+from operator import itemgetter
 from os import PathLike, fspath
 from typing import Any
 
 from soccersim.export import schemas
 from soccersim.export.frames import MAP, between, nanosecond, placed, ros_names, stamp
 from soccersim.export.happenings import happenings
-from soccersim.export.scene import field_entities, other_entities, robot_entities, scene
+from soccersim.export.primitives import scene
+from soccersim.export.remarks import labels, notes
+from soccersim.export.scene import field_entities, other_entities, robot_entities
 from soccersim.export.state import game, states
 from soccersim.problems import InputError, MachineError, Problem
 from soccersim.record.recording import Recording
@@ -100,6 +106,8 @@ KINDS = {  # topic, or its end: what stands there
     "/state": schemas.STATE,
     "/game": schemas.GAME,
     "/log": schemas.LOG,
+    "/labels": schemas.SCENE,
+    "/notes": schemas.SCENE,
 }
 
 
@@ -111,30 +119,41 @@ def _messages(
     names = ros_names(player.name for player in recording.scenario.robots)
     arms = ros_names(arm.name for arm in recording.scenario.arms)
     first = ticks[records[0]] if records else 0
-    last = ticks[records[-1]] if records and records[-1] + 1 < len(ticks) else None
+    last = ticks[records[-1]] if records and records[-1] + 1 < len(ticks) else inf
     yield first, "/field", scene(field_entities(recording.scenario.field))
     moving = robot_entities(recording, names) + other_entities(recording, arms)
     yield first, "/robots", scene(moving)
-    told = [
-        each
-        for each in happenings(recording)
-        if (each[0] >= first or not records.start) and (last is None or each[0] <= last)
-    ]
-    at = 0
+    sparse = _sparse(recording, names, first, from_start=not records.start)
+    told = takewhile(lambda each: each[0] <= last, sparse)
+    waiting = next(told, None)
     for done in range(0, len(records), PIECE):
         piece = records[done : done + PIECE]
         for index, messages in zip(piece, _piece(recording, piece, names, arms), strict=True):
-            while at < len(told) and told[at][0] < ticks[index]:
-                yield told[at][0], "/log", told[at][1]
-                at += 1
+            while waiting and waiting[0] < ticks[index]:
+                yield waiting
+                waiting = next(told, None)
             for topic, content in messages:
                 yield ticks[index], topic, content
             if progress:
                 progress(index - records[0] + 1, len(records))
-    for tick, content in told[at:]:
-        yield max(tick, first), "/log", content
+    if waiting:
+        yield waiting
+    yield from told
     if progress:
         progress(1, 1)
+
+
+def _sparse(
+    recording: Recording, names: list[str], first: int, from_start: bool
+) -> Iterator[tuple[int, str, Any]]:
+    """Messages that do not come with every record, in order of time, none before a tick."""
+    log = (
+        (max(tick, first), "/log", content)
+        for tick, content in happenings(recording)
+        if tick >= first or from_start
+    )
+    said = labels(recording, names, first), notes(recording, first)
+    return merge(log, *said, key=itemgetter(0))
 
 
 def _piece(

@@ -3,47 +3,48 @@
 Each is told once and moves with its frame.
 """
 
-from math import cos, pi, sin
-from typing import Any
+from math import pi
 
 from soccersim.export.frames import MAP
+from soccersim.export.primitives import (
+    THIN,
+    Entity,
+    Place,
+    arc,
+    cylinder,
+    entity,
+    line,
+    lying,
+    rgba,
+    slab,
+    words,
+)
 from soccersim.record.recording import Recording
 from soccersim.render import look
 from soccersim.render.pitch import floor
 from soccersim.spec.field import Field
 
-THIN = 0.002  # m, of what lies on the floor
-ROUND = 48  # corners of a circle
 TALL = 1.0  # height of a robot beside its radius: low, so that its name is seen from above
 POST = 0.8  # m, height of a goal
-UPRIGHT = {"x": 0.0, "y": 0.0, "z": 0.0, "w": 1.0}
-NOW = {"sec": 0, "nsec": 0}
-Entity = dict[str, Any]
-Place = tuple[float, float]
-
-
-def scene(entities: list[Entity]) -> dict[str, Any]:
-    """The message that shows them."""
-    return {"deletions": [], "entities": entities}
 
 
 def field_entities(field: Field) -> list[Entity]:
     """Floor, grass, lines and goals."""
     length, width = floor(field)
     parts = [
-        _slab((0, 0), (length, width), -2 * THIN, look.VERGE),
-        _slab((0, 0), (field.length, field.width), -THIN, look.GRASS[0]),
+        slab((0, 0), (length, width), -2 * THIN, look.VERGE),
+        slab((0, 0), (field.length, field.width), -THIN, look.GRASS[0]),
     ]
     goals = []
     for side, team in ((-1, "home"), (1, "away")):
         goal, x = field.goal, side * (field.half_length + field.goal.depth / 2)
-        parts.append(_slab((x, 0), (goal.depth, goal.width), THIN, look.TEAMS[team]))
+        parts.append(slab((x, 0), (goal.depth, goal.width), THIN, look.TEAMS[team]))
         for y in (-goal.width / 2, goal.width / 2):
             size = {"x": 2 * goal.post_radius, "y": 2 * goal.post_radius, "z": POST}
-            pose = _pose((side * field.half_length, y), POST / 2)
-            goals.append(_cylinder(pose, size, look.POST))
-    lines = [_line(way, field.line_width) for way in _ways(field)]
-    return [_entity("field", MAP, cubes=parts, cylinders=goals, lines=lines)]
+            pose = lying((side * field.half_length, y), POST / 2)
+            goals.append(cylinder(pose, size, look.POST))
+    lines = [line(way, field.line_width) for way in _ways(field)]
+    return [entity("field", MAP, cubes=parts, cylinders=goals, lines=lines)]
 
 
 def robot_entities(recording: Recording, names: list[str]) -> list[Entity]:
@@ -53,22 +54,15 @@ def robot_entities(recording: Recording, names: list[str]) -> list[Entity]:
         radius = player.model.radius
         height = TALL * radius
         size = {"x": 2 * radius, "y": 2 * radius, "z": height}
-        body = _cylinder(_pose((0, 0), height / 2), size, look.TEAMS[player.team])
+        body = cylinder(lying((0, 0), height / 2), size, look.TEAMS[player.team])
         nose = {
-            "pose": _pose((0.7 * radius, 0), height),
+            "pose": lying((0.7 * radius, 0), height),
             "size": {"x": 0.5 * radius, "y": 0.3 * radius, "z": 0.1 * radius},
-            "color": _colour(look.NOSE),
+            "color": rgba(look.NOSE),
         }
-        label = {
-            "pose": _pose((0, 0), 1.6 * height),
-            "billboard": True,
-            "font_size": radius,
-            "scale_invariant": False,
-            "color": _colour(look.INK),
-            "text": player.name,
-        }
+        label = words(player.name, lying((0, 0), 1.6 * height), radius)
         frame = f"{name}/base_link"
-        entities.append(_entity(name, frame, cylinders=[body], cubes=[nose], texts=[label]))
+        entities.append(entity(name, frame, cylinders=[body], cubes=[nose], texts=[label]))
     return entities
 
 
@@ -77,13 +71,13 @@ def other_entities(recording: Recording, arms: list[str]) -> list[Entity]:
     scenario, entities = recording.scenario, []
     if scenario.ball:
         size = dict.fromkeys("xyz", 2 * scenario.ball.radius)
-        ball = {"pose": _pose((0, 0)), "size": size, "color": _colour(look.BALL)}
-        entities.append(_entity("ball", "ball", spheres=[ball]))
+        ball = {"pose": lying((0, 0)), "size": size, "color": rgba(look.BALL)}
+        entities.append(entity("ball", "ball", spheres=[ball]))
     for arm, name in zip(scenario.arms, arms, strict=True):
         for number, length in enumerate(arm.lengths, 1):
             size = {"x": length, "y": arm.thickness, "z": arm.thickness}
-            link = {"pose": _pose((0, 0), 0.1), "size": size, "color": _colour(look.DEAD_ROLLER)}
-            entities.append(_entity(f"{name}_{number}", f"{name}/link_{number}", cubes=[link]))
+            link = {"pose": lying((0, 0), 0.1), "size": size, "color": rgba(look.DEAD_ROLLER)}
+            entities.append(entity(f"{name}_{number}", f"{name}/link_{number}", cubes=[link]))
     return entities
 
 
@@ -93,7 +87,7 @@ def _ways(field: Field) -> list[list[Place]]:
     x, y = field.half_length - inset, field.half_width - inset
     ways = [_box(-x, -y, x, y), [(0.0, -y), (0.0, y)]]
     if field.centre_circle:
-        ways.append(_arc((0, 0), field.centre_circle - inset, 0, 2 * pi))
+        ways.append(arc((0, 0), field.centre_circle - inset, 0, 2 * pi))
     for side in (-1, 1):
         for area in (field.penalty_area, field.goal_area):
             if area:
@@ -103,53 +97,9 @@ def _ways(field: Field) -> list[list[Place]]:
             if field.corner_arc:
                 start = {(-1, -1): 0, (1, -1): 1, (1, 1): 2, (-1, 1): 3}[side, other] * pi / 2
                 corner = (side * field.half_length, other * field.half_width)
-                ways.append(_arc(corner, field.corner_arc - inset, start, start + pi / 2))
+                ways.append(arc(corner, field.corner_arc - inset, start, start + pi / 2))
     return ways
 
 
 def _box(x1: float, y1: float, x2: float, y2: float) -> list[Place]:
     return [(x1, y1), (x2, y1), (x2, y2), (x1, y2), (x1, y1)]
-
-
-def _arc(middle: Place, radius: float, start: float, end: float) -> list[Place]:
-    angles = [start + (end - start) * i / ROUND for i in range(ROUND + 1)]
-    return [(middle[0] + radius * cos(a), middle[1] + radius * sin(a)) for a in angles]
-
-
-def _entity(name: str, frame: str, **parts: list[Any]) -> Entity:
-    empty = ("arrows", "cubes", "spheres", "cylinders", "lines", "triangles", "texts", "models")
-    said = {"timestamp": NOW, "frame_id": frame, "id": name, "lifetime": NOW}
-    return {**said, "frame_locked": True, "metadata": [], **{k: parts.get(k, []) for k in empty}}
-
-
-def _slab(middle: Place, size: Place, z: float, colour: look.Colour) -> dict[str, Any]:
-    sides = {"x": float(size[0]), "y": float(size[1]), "z": THIN}
-    return {"pose": _pose(middle, z), "size": sides, "color": _colour(colour)}
-
-
-def _cylinder(pose: Any, size: dict[str, float], colour: look.Colour) -> dict[str, Any]:
-    whole = {"bottom_scale": 1.0, "top_scale": 1.0}
-    return {"pose": pose, "size": size, **whole, "color": _colour(colour)}
-
-
-def _line(way: list[Place], width: float) -> dict[str, Any]:
-    return {
-        "type": 0,
-        "pose": _pose((0, 0), THIN),
-        "thickness": width,
-        "scale_invariant": False,
-        "points": [{"x": float(x), "y": float(y), "z": 0.0} for x, y in way],
-        "color": _colour(look.LINE),
-        "colors": [],
-        "indices": [],
-    }
-
-
-def _pose(place: Place, z: float = 0.0) -> dict[str, Any]:
-    position = {"x": float(place[0]), "y": float(place[1]), "z": z}
-    return {"position": position, "orientation": UPRIGHT}
-
-
-def _colour(colour: look.Colour) -> dict[str, float]:
-    r, g, b = (round(part / 255, 4) for part in colour)
-    return {"r": r, "g": g, "b": b, "a": 1.0}

@@ -143,6 +143,7 @@ STATE = {  # of ours: what there is to plot of a robot; what a recording lacks i
         "kick": NUMBER,
         "dribble": FLAG,
         "in_play": FLAG,
+        "label": TEXT,
         "leg": {"type": "integer"},
         "reference": message("", x=MAYBE, y=MAYBE, heading=MAYBE),
         **{

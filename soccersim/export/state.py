@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from soccersim.export.frames import placed
+from soccersim.export.remarks import label_table
 from soccersim.record.recording import Recording
 from soccersim.sheet import PHASES
 from soccersim.touches import BallPlay
@@ -89,6 +90,7 @@ def _match(recording: Recording, part: slice) -> dict[str, Any]:
         "kick": _rounded(orders[..., 3]),
         "dribble": (orders[..., 4] > 0).tolist(),
         "in_play": (recording.arrays["in_play"][decision] > 0).tolist(),
+        "label": label_table(recording)[decision].tolist(),
         **_recorded(recording, arrays),
     }
 

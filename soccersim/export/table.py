@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from soccersim.export.remarks import label_table
 from soccersim.export.state import SIDES, wheel_counts
 from soccersim.problems import MachineError
 from soccersim.record.recording import Recording
@@ -97,12 +98,14 @@ def columns(recording: Recording) -> Iterator[Column]:
             seen = arrays["ball_believed"][:, slot][decision]
             yield from _several(f"{side} believes ball", SEEN, seen)
     counts = wheel_counts(recording)
+    labels = None if decision is None else label_table(recording)[decision]
     for robot, player in enumerate(recording.scenario.robots):
         name = player.name
         yield from _several(name, MOTION, recording.body[:, robot])
         yield from _several(f"{name} believed", POSE, recording.estimate[:, robot])
-        if decision is not None:
+        if decision is not None and labels is not None:
             yield from _several(f"{name} command", ORDER, arrays["orders"][:, robot][decision])
+            yield Column(f"{name} label", "", labels[:, robot])
             yield Column(f"{name} in play", "", arrays["in_play"][:, robot][decision])
             yield Column(f"{name} feels the ball", "", arrays["contact"][:, robot][decision])
         else:

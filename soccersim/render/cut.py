@@ -40,13 +40,17 @@ class Cut:
 
 
 def shown(recording: Recording, start: float | None, end: float | None) -> range:
-    """The records between two times, both included."""
+    """The records between two times, both included; InputError where there is none."""
     Cut(start, end).check(recording.duration)
     hz = float(recording.meta["physics_hz"])
     first = 0 if start is None else np.searchsorted(recording.tick, start * hz - EARLY)
     last = len(recording.tick)
     if end is not None:
         last = int(np.searchsorted(recording.tick, end * hz + EARLY, side="right"))
+    if first >= last and len(recording.tick):
+        apart = 1 / recording.scenario.timing.record_hz
+        wrong = f"no record lies between --from and --to: they are {apart:g} s apart"
+        raise InputError(Problem(wrong))
     return range(int(first), last)
 
 

@@ -95,12 +95,14 @@ def test_a_match_tells_its_phase_its_orders_and_what_teams_believe(tmp_path):
         ball_believed=seen,
         phase=phase,
         whose=[-1, 1, -1, -1],
+        labels=[[1, 4, "a, b"], [3, 4, ""]],
     )
     _, table = saved(match, tmp_path)
     assert table["phase"] == ("stop",) * 2 + ("throw_in",) * 2 + ("play",) * 4
     assert table["restart of"] == ("", "", "away", "away", "", "", "", "")
     assert table["home-5 command kick [m/s]"] == ("0.0",) * 4 + ("8.0",) * 4
     assert table["home-5 command vy [m/s]"][-1] == "-0.25"
+    assert table["home-5 label"] == ("",) * 2 + ("a, b",) * 4 + ("",) * 2
     assert table["away believes ball x [m]"] == ("0.0",) * 4 + ("",) * 4
     assert numbers(table["away-5 x [m]"]).tolist() == [9.0] * 8
     assert set(table["home goals"]) == {"0"}

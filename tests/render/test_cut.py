@@ -45,6 +45,8 @@ def test_records_of_a_part():
     scene = kickabout(1, seconds=4)
     assert shown(scene, None, None) == range(201)
     assert shown(scene, 1.0, 2.0) == range(50, 101)
+    with pytest.raises(InputError, match=r"^no record lies between .* they are 0\.02 s apart$"):
+        shown(scene, 1.001, 1.019)
 
 
 @pytest.mark.parametrize(
