@@ -10,9 +10,7 @@ from soccersim.kernel import inner
 from soccersim.plant.arm import Arms, build_arms, turn_joints
 from soccersim.sensing.joints import read_joints, see_ball
 from soccersim.spec.scenario import Scenario
-from soccersim.state import Array, Estimate, Readings, Truth, Whole
-
-LINKS = 3
+from soccersim.state import LINKS, Array, Estimate, Readings, Truth, Whole
 
 
 class Limbs(NamedTuple):

@@ -10,7 +10,6 @@ from soccersim.control.position import PositionLoop, build_position_loop
 from soccersim.control.wheels import WheelLoop, build_wheel_loop
 from soccersim.estimation.odometry import Odometry, build_odometry
 from soccersim.limbs import Limbs, build_limbs
-from soccersim.plant.arm import LINKS
 from soccersim.plant.ball import Rolling, build_ball
 from soccersim.plant.build import build_drive, wheel_count
 from soccersim.plant.drive import Drive
@@ -24,6 +23,7 @@ from soccersim.sensing.gyro import Gyros, build_gyros
 from soccersim.sensing.noise import Noise, NoiseSource
 from soccersim.spec.scenario import Scenario
 from soccersim.state import (
+    LINKS,
     Command,
     Estimate,
     Readings,

@@ -12,6 +12,8 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Whole = NDArray[np.int64]
 
+LINKS = 3  # of an arm, and joints
+
 
 class Truth(NamedTuple):
     """What is so. Only the plant, the sensors, the referee and the recorder see it."""
@@ -79,7 +81,7 @@ def new_truth(bodies: int, robots: int, wheels: int) -> Truth:
 
 def new_readings(robots: int, wheels: int, arms: int = 0) -> Readings:
     """Nothing counted, nothing felt."""
-    z, per_wheel, per_joint = np.zeros, (robots, wheels), (arms, 3)
+    z, per_wheel, per_joint = np.zeros, (robots, wheels), (arms, LINKS)
     return Readings(
         counts=z(per_wheel),
         wheel_speed=z(per_wheel),

@@ -4,11 +4,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from soccersim.control.reach import LINKS, ReachProgress, set_out
+from soccersim.control.reach import ReachProgress, set_out
 from soccersim.geometry import rotate
 from soccersim.kernel import inner
 from soccersim.spec.scenario import Scenario
-from soccersim.state import Array, Whole
+from soccersim.state import LINKS, Array, Whole
 
 
 class Guard(NamedTuple):

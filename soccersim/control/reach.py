@@ -10,9 +10,8 @@ from soccersim.kernel import inner
 from soccersim.kinematics import PlanarArm
 from soccersim.spec.arm import Arm, Reach
 from soccersim.spec.scenario import Scenario
-from soccersim.state import Array, Whole
+from soccersim.state import LINKS, Array, Whole
 
-LINKS = 3
 TURN = 360.0
 
 

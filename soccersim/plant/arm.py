@@ -12,9 +12,7 @@ import numpy as np
 from soccersim.kernel import inner
 from soccersim.spec.arm import Arm
 from soccersim.spec.scenario import Scenario
-from soccersim.state import Array, Truth, Whole
-
-LINKS = 3
+from soccersim.state import LINKS, Array, Truth, Whole
 
 
 class Arms(NamedTuple):

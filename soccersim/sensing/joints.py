@@ -5,9 +5,7 @@ camera that sees the ball as robots do belongs to matches.
 """
 
 from soccersim.kernel import inner
-from soccersim.state import Array, Readings, Truth, Whole
-
-LINKS = 3
+from soccersim.state import LINKS, Array, Readings, Truth, Whole
 
 
 @inner
