@@ -52,11 +52,12 @@ def settled(function: Callable[P, R]) -> Callable[P, R]:
 
     def call(*arguments: P.args, **_: P.kwargs) -> R:
         nonlocal compiled
-        if compiled is None:
-            types = tuple(import_module("numba").typeof(each) for each in arguments)
-            kernel.compile(types)
-            compiled = kernel.overloads[types].entry_point
-        result: R = compiled(*arguments)
+        if compiled:
+            result: R = compiled(*arguments)
+        else:
+            result = kernel(*arguments)
+            if len(kernel.overloads) == 1:  # else it is not plain which of them it was
+                compiled = next(iter(kernel.overloads.values())).entry_point
         return result
 
     return call

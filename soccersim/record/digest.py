@@ -3,6 +3,7 @@
 import hashlib
 import platform
 from collections.abc import Sequence
+from functools import cache
 from importlib.metadata import version
 
 import numpy as np
@@ -46,5 +47,11 @@ def fingerprint() -> dict[str, str]:
         "libc": " ".join(platform.libc_ver()),
         "cpu": hashlib.sha256(features.encode()).hexdigest()[:12],
         "python": platform.python_version(),
-        **{name: version(name) for name in ("numpy", "pymunk", "numba")},
+        **_versions(),
     }
+
+
+@cache
+def _versions() -> dict[str, str]:
+    """Of the packages that numbers come from; to ask for one takes half a millisecond."""
+    return {name: version(name) for name in ("numpy", "pymunk", "numba")}
