@@ -35,33 +35,24 @@ class LiveGame(Game):
         simulation = self.simulation
         goal = simulation.tick + ticks
         while simulation.tick < goal and not self.over:
-            self._beat(simulation.tick)
-            if not self.over:
-                left = self.beat - simulation.tick % self.beat
-                simulation.hurry(min(goal - simulation.tick, left))
-                self.over = simulation.done and simulation.tick % self.beat != 0
-        if simulation.done and not self.over:
-            self._beat(simulation.tick)
-            self.over = True
+            self._between(simulation.tick)
+            left = self.beat - simulation.tick % self.beat
+            simulation.hurry(min(goal - simulation.tick, left))
+            if simulation.done:
+                self._between(simulation.tick)  # the referee's last word
+                self.over = True
 
-    def _beat(self, tick: int) -> None:
-        """What happens between two pieces of play, as in Game.play."""
-        if tick % self.beat != 0:
-            return
-        simulation, referee, m = self.simulation, self.referee, self.simulation.machine
-        self.perception.step(
-            m.truth, m.readings, m.estimate, tick, referee.in_play, referee.direction
-        )
-        if tick % self.decide_every != 0:
-            return
-        self._rule(tick)
-        self.turn.tick, self.turn.score = tick, referee.score
-        if simulation.done:
-            return
-        self.answers = self._ask(self.seats, tick)
-        for slot, answer in enumerate(self.answers):
-            self.pilot.take_over(answer.orders, self.rows[slot], m.estimate.pose)
-        self._send(self.answers, tick)
+    def _between(self, tick: int) -> None:
+        if tick % self.beat == 0:
+            self.answers = self._beat(self.seats, tick) or self.answers
+
+    def _ask(self, seats: Sequence[Seat], tick: int) -> list[Answer]:
+        """What both teams answer, with our orders for the robots that are taken over."""
+        answers = super()._ask(seats, tick)
+        for slot, answer in enumerate(answers):
+            poses = self.simulation.machine.estimate.pose
+            self.pilot.take_over(answer.orders, self.rows[slot], poses)
+        return answers
 
 
 class MatchPlay(Play):

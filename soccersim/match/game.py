@@ -74,32 +74,38 @@ class Game:
         """Play until the time is up, or the tick `until`, or a team forfeits; HOME's seat first."""
         simulation, score = self.simulation, None
         faults: list[TeamFault] = []
-        while simulation.tick != until:
-            tick = simulation.tick
-            m = simulation.machine
-            self.perception.step(
-                m.truth, m.readings, m.estimate, tick, self.referee.in_play, self.referee.direction
-            )
-            if tick % self.decide_every == 0:
-                self.turn.tick, self.turn.share = tick, tick / simulation.end
-                self._rule(tick)
-                self.turn.score = self.referee.score
-                if simulation.done:
-                    break
-                try:
-                    answers = self._ask(seats, tick)
-                except Forfeits as forfeits:
-                    faults = forfeits.faults(tick)
-                    score = forfeits.score(self.referee.score)
-                    break
-                self._send(answers, tick)
+        while (tick := simulation.tick) != until:
+            try:
+                answers = self._beat(seats, tick)
+            except Forfeits as forfeits:
+                faults = forfeits.faults(tick)
+                score = forfeits.score(self.referee.score)
+                break
+            if simulation.done:
+                break
+            if answers:
                 self.log.add(tick, self, answers)
                 if progress:
                     progress(tick / simulation.end)
-            elif simulation.done:
-                break
             simulation.hurry(self.beat - tick % self.beat)
         return self._result(score or self.referee.score, faults)
+
+    def _beat(self, seats: Sequence[Seat], tick: int) -> list[Answer] | None:
+        """What happens between two pieces of play; what both teams answer, where they decide."""
+        simulation, referee, m = self.simulation, self.referee, self.simulation.machine
+        self.perception.step(
+            m.truth, m.readings, m.estimate, tick, referee.in_play, referee.direction
+        )
+        if tick % self.decide_every != 0:
+            return None
+        self.turn.tick, self.turn.share = tick, tick / simulation.end
+        self._rule(tick)
+        self.turn.score = referee.score
+        if simulation.done:
+            return None
+        answers = self._ask(seats, tick)
+        self._send(answers, tick)
+        return answers
 
     def _rule(self, tick: int) -> None:
         """Let the referee judge, and do as it says."""

@@ -294,3 +294,13 @@ def test_a_team_that_fails_ends_the_match_and_not_the_station(tmp_path):
     assert play.over
     assert any("home forfeits" in event["text"] for event in play.news)
     play.close()
+
+
+def test_a_match_ends_with_its_time_and_the_station_goes_on():
+    settings = ["match.home.strategy=still", "match.away.strategy=still", "duration=1"]
+    match = play_of(load_scenario("friendly-match", settings=settings))
+    match.advance(800)
+    assert match.tick == 500
+    assert match.over
+    assert match.game.referee.phase is Phase.OVER
+    match.close()
