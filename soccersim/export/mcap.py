@@ -15,6 +15,7 @@ from soccersim.export.happenings import happenings
 from soccersim.export.primitives import scene
 from soccersim.export.remarks import labels, notes
 from soccersim.export.scene import field_entities, other_entities, robot_entities
+from soccersim.export.sightings import sightings
 from soccersim.export.state import game, states
 from soccersim.problems import InputError, MachineError, Problem
 from soccersim.record.recording import Recording
@@ -108,6 +109,7 @@ KINDS = {  # topic, or its end: what stands there
     "/log": schemas.LOG,
     "/labels": schemas.SCENE,
     "/notes": schemas.SCENE,
+    "/sightings": schemas.SCENE,
 }
 
 
@@ -153,7 +155,7 @@ def _sparse(
         if tick >= first or from_start
     )
     said = labels(recording, names, first), notes(recording, first)
-    return merge(log, *said, key=itemgetter(0))
+    return merge(log, *said, sightings(recording, first), key=itemgetter(0))
 
 
 def _piece(

@@ -42,6 +42,12 @@ def cylinder(pose: Any, size: dict[str, float], colour: look.Colour) -> dict[str
     return {"pose": pose, "size": size, **whole, "color": rgba(colour)}
 
 
+def ball(place: Place, z: float, across: float, colour: look.Colour) -> dict[str, Any]:
+    """A sphere with this diameter, its middle so high."""
+    size = dict.fromkeys("xyz", across)
+    return {"pose": lying(place, z), "size": size, "color": rgba(colour)}
+
+
 def line(
     way: list[Place], width: float, colour: look.Colour = look.LINE, z: float = THIN
 ) -> dict[str, Any]:

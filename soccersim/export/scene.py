@@ -11,6 +11,7 @@ from soccersim.export.primitives import (
     Entity,
     Place,
     arc,
+    ball,
     cylinder,
     entity,
     line,
@@ -70,9 +71,8 @@ def other_entities(recording: Recording, arms: list[str]) -> list[Entity]:
     """The ball, and the links of arms."""
     scenario, entities = recording.scenario, []
     if scenario.ball:
-        size = dict.fromkeys("xyz", 2 * scenario.ball.radius)
-        ball = {"pose": lying((0, 0)), "size": size, "color": rgba(look.BALL)}
-        entities.append(entity("ball", "ball", spheres=[ball]))
+        round_ = ball((0, 0), 0.0, 2 * scenario.ball.radius, look.BALL)
+        entities.append(entity("ball", "ball", spheres=[round_]))
     for arm, name in zip(scenario.arms, arms, strict=True):
         for number, length in enumerate(arm.lengths, 1):
             size = {"x": length, "y": arm.thickness, "z": arm.thickness}

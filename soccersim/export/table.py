@@ -23,6 +23,7 @@ POSE = (("x", "m"), ("y", "m"), ("heading", "rad"))
 MOTION = (*POSE, ("vx", "m/s"), ("vy", "m/s"), ("omega", "rad/s"))
 TWIST = (("vx", "m/s"), ("vy", "m/s"), ("omega", "rad/s"))
 ORDER = (*TWIST, ("kick", "m/s"), ("dribble", ""))
+ONE = (("", ""),)
 SEEN = (("x", "m"), ("y", "m"), ("vx", "m/s"), ("vy", "m/s"), ("age", "s"))
 OF_WHEELS = {  # array: what the column is called, and its unit
     "wheel_angle": ("angle", "rad"),
@@ -32,6 +33,13 @@ OF_WHEELS = {  # array: what the column is called, and its unit
     "load": ("load", "N"),
     "counts": ("encoder", "counts"),
     "pwm": ("pwm", "of 255"),
+}
+OF_ROBOTS = {  # array of a match: what its columns are called, and their parts
+    "orders": ("command", ORDER),
+    "ball_sighted": ("sees ball", (("x", "m"), ("y", "m"))),
+    "label": ("label", ONE),
+    "in_play": ("in play", ONE),
+    "contact": ("feels the ball", ONE),
 }
 FLAGS = {"started": "started", "direction": "home plays towards x"}
 
@@ -98,17 +106,15 @@ def columns(recording: Recording) -> Iterator[Column]:
             seen = arrays["ball_believed"][:, slot][decision]
             yield from _several(f"{side} believes ball", SEEN, seen)
     counts = wheel_counts(recording)
-    labels = None if decision is None else label_table(recording)[decision]
+    told = {} if decision is None else _told(recording, decision)
     for robot, player in enumerate(recording.scenario.robots):
         name = player.name
         yield from _several(name, MOTION, recording.body[:, robot])
         yield from _several(f"{name} believed", POSE, recording.estimate[:, robot])
-        if decision is not None and labels is not None:
-            yield from _several(f"{name} command", ORDER, arrays["orders"][:, robot][decision])
-            yield Column(f"{name} label", "", labels[:, robot])
-            yield Column(f"{name} in play", "", arrays["in_play"][:, robot][decision])
-            yield Column(f"{name} feels the ball", "", arrays["contact"][:, robot][decision])
-        else:
+        for key, (word, parts) in OF_ROBOTS.items():
+            if key in told:
+                yield from _several(f"{name} {word}", parts, told[key][:, robot])
+        if decision is None:
             yield Column(f"{name} leg", "", recording.leg[:, robot])
             yield from _several(f"{name} set-point", POSE, recording.reference[:, robot])
             if "command" in arrays:
@@ -131,6 +137,18 @@ def _game(arrays: dict[str, Array], decision: Array) -> Iterator[Column]:
         yield Column(name, "", arrays[key][decision])
 
 
+def _told(recording: Recording, decision: Array) -> dict[str, Array]:
+    """(T, R, n) of a match: what each robot was told at the last decision, and what it saw.
+
+    A sighting stands in the one row in which it came.
+    """
+    arrays = dict(recording.arrays, label=label_table(recording))
+    told = {key: arrays[key][decision] for key in OF_ROBOTS if key in arrays}
+    if "ball_sighted" in told:
+        told["ball_sighted"][np.diff(decision, prepend=-1) == 0] = np.nan
+    return {key: table if table.ndim == 3 else table[..., None] for key, table in told.items()}
+
+
 def _sensors(arrays: dict[str, Array], name: str, robot: int, wheels: int) -> Iterator[Column]:
     """What `record` kept of the wheels and the gyro."""
     if "gyro" in arrays:
@@ -144,4 +162,4 @@ def _sensors(arrays: dict[str, Array], name: str, robot: int, wheels: int) -> It
 def _several(name: str, parts: tuple[tuple[str, str], ...], table: Array) -> Iterator[Column]:
     """A column for each part of a table (T, n)."""
     for number, (part, unit) in enumerate(parts):
-        yield Column(f"{name} {part}", unit, table[:, number])
+        yield Column(f"{name} {part}".rstrip(), unit, table[:, number])

@@ -10,6 +10,7 @@ from tape import tape
 from soccersim import Simulation, load_scenario
 from soccersim.export.table import save_csv
 from soccersim.problems import MachineError
+from soccersim.record import Recording
 
 
 def read(path):
@@ -97,7 +98,10 @@ def test_a_match_tells_its_phase_its_orders_and_what_teams_believe(tmp_path):
         whose=[-1, 1, -1, -1],
         labels=[[1, 4, "a, b"], [3, 4, ""]],
     )
-    _, table = saved(match, tmp_path)
+    sighted = np.full((4, 10, 2), np.nan, np.float32)
+    sighted[1, 4] = 1.5, -2.0
+    _, table = saved(Recording(match.meta, {**match.arrays, "ball_sighted": sighted}), tmp_path)
+    assert table["home-5 sees ball y [m]"] == ("", "", "-2.0", "", "", "", "", "")
     assert table["phase"] == ("stop",) * 2 + ("throw_in",) * 2 + ("play",) * 4
     assert table["restart of"] == ("", "", "away", "away", "", "", "", "")
     assert table["home-5 command kick [m/s]"] == ("0.0",) * 4 + ("8.0",) * 4
