@@ -3,8 +3,8 @@
 import sys
 import time
 from collections.abc import Callable
-from types import TracebackType
-from typing import TYPE_CHECKING, Self
+from contextlib import ExitStack
+from typing import TYPE_CHECKING
 
 import click
 
@@ -21,10 +21,11 @@ CLEAR = 0.3  # LLR from which on it tells how long it may take to a bound
 FEW = 8  # pairs
 
 
-class Following:
+class Following(ExitStack[None]):
     """Shows on standard error what is told. Used as a context."""
 
     def __init__(self) -> None:
+        super().__init__()
         self.start = self._said = time.monotonic()
         self._pause = CALM[0]
         self._first: tuple[float, int] | None = None  # when matches began to come, and how many
@@ -40,8 +41,7 @@ class Following:
             self._first = now, played
         if sys.stderr.isatty():
             if self._live is None and now - self.start > PATIENCE:
-                self._live = live()
-                self._live.start()
+                self._live = self.enter_context(live())
             if self._live:
                 self._live.update("\n".join(lines(True)))
         elif now - self._said > self._pause and played:
@@ -76,18 +76,6 @@ class Following:
         """Show how so many matches come along."""
         left = self.left(played, total - done)
         self.show(played, lambda _: [", ".join([f"{done} of {total} matches", *left])])
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        if self._live:
-            self._live.stop()
 
 
 def live() -> "Live":

@@ -2,8 +2,8 @@
 
 import sys
 import time
-from types import TracebackType
-from typing import TYPE_CHECKING, Self
+from contextlib import ExitStack
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from rich.progress import Progress
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 PATIENCE = 1.0  # s before a bar appears
 
 
-class Bar:
+class Bar(ExitStack[None]):
     """Shows on a terminal (standard error) how far a task is, once it has taken a second.
 
     >>> with Bar("simulating") as bar:
@@ -19,6 +19,7 @@ class Bar:
     """
 
     def __init__(self, task: str, patience: float = PATIENCE) -> None:
+        super().__init__()
         self._task = task
         self._patience = patience
         self._start = time.monotonic()
@@ -28,8 +29,7 @@ class Bar:
         """The share done, 0 to 1, and what the task is called now."""
         late = time.monotonic() - self._start > self._patience
         if self._bar is None and late and sys.stderr.isatty():
-            self._bar = _bar()
-            self._bar.start()
+            self._bar = self.enter_context(_bar())
             self._row = self._bar.add_task(self._task, total=1.0)
         if self._bar:
             self._bar.update(self._row, completed=share, description=task)
@@ -37,18 +37,6 @@ class Bar:
     def count(self, done: int, total: int) -> None:
         """So many of all are done."""
         self(done / total)
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        if self._bar:
-            self._bar.stop()
 
 
 def _bar() -> "Progress":

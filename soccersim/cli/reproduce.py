@@ -2,15 +2,20 @@
 
 import json
 from collections.abc import Callable
+from contextlib import nullcontext
 from functools import partial
+from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
+from soccersim.cli.results import Results
+
 if TYPE_CHECKING:
     from soccersim.reproduce.section import Section, Summary
 
+FILES = ("reproduce.json", "reproduce.html")
 WIDEST = 1000  # characters of a table's line; a terminal that is narrower wraps it
 
 
@@ -40,23 +45,24 @@ def command(
     in columns of their own.
     """
     from soccersim.cli.progress import Bar
-    from soccersim.cli.run import announce_compiling, prepare
+    from soccersim.cli.run import announce_compiling
     from soccersim.reproduce.lab import Lab
     from soccersim.reproduce.papers import PAPERS, sections
 
     wanted = list(dict.fromkeys(papers)) or list(PAPERS)
     _check(wanted)
-    if out:
-        prepare(out, force, ("reproduce.json", "reproduce.html"))
-    announce_compiling()
     found: dict[str, list[Section]] = {}
-    with Bar("reproducing") as bar, Lab(jobs, seeds) as lab:
-        for i, name in enumerate(wanted):
-            lab.progress = partial(_share, bar, i, len(wanted))
-            found[name] = list(sections(name, lab))
-    document = {"papers": {name: [s.document() for s in found[name]] for name in wanted}}
-    if out:
-        write(found, document, out)
+    with Results(out, FILES, force) if out else nullcontext() as results:
+        announce_compiling()
+        with Bar("reproducing") as bar, Lab(jobs, seeds) as lab:
+            for i, name in enumerate(wanted):
+                lab.progress = partial(_share, bar, i, len(wanted))
+                found[name] = list(sections(name, lab))
+        document = {"papers": {name: [s.document() for s in found[name]] for name in wanted}}
+        if results:
+            for file, data in drawn(found, document).items():
+                with results.new(file) as path:
+                    path.write_bytes(data)
     if as_json:
         click.echo(json.dumps(document))
     else:
@@ -89,23 +95,20 @@ def _check(papers: list[str]) -> None:
             raise InputError(Problem(f"no paper `{name[:60]}`: {hint}"))
 
 
-def write(found: "dict[str, list[Section]]", document: dict[str, Any], out: Path) -> None:
-    """Pictures, reproduce.json and reproduce.html; MachineError where they cannot be written."""
-    from soccersim.problems import MachineError
+def drawn(found: "dict[str, list[Section]]", document: dict[str, Any]) -> dict[str, bytes]:
+    """All files by their names: pictures, of which it tells the document, reproduce.json, .html."""
     from soccersim.reproduce.page import page
 
-    try:
-        for name, sections in found.items():
-            for section, entry in zip(sections, document["papers"][name], strict=True):
-                if section.figure:
-                    entry["figure"] = f"{name}-{section.key}.png"
-                    section.figure().savefig(out / entry["figure"], metadata={"Software": None})
-        text = json.dumps(document, indent=1, ensure_ascii=False) + "\n"
-        (out / "reproduce.json").write_text(text, encoding="utf-8")
-        (out / "reproduce.html").write_text(page(document, out), encoding="utf-8")
-    except OSError as error:
-        place = error.filename or out
-        raise MachineError(f"{place}: {error.strerror or error}") from error
+    files = {}
+    for name, sections in found.items():
+        for section, entry in zip(sections, document["papers"][name], strict=True):
+            if section.figure:
+                entry["figure"] = f"{name}-{section.key}.png"
+                picture = BytesIO()
+                section.figure().savefig(picture, metadata={"Software": None})
+                files[entry["figure"]] = picture.getvalue()
+    text = json.dumps(document, indent=1, ensure_ascii=False) + "\n"
+    return {**files, FILES[0]: text.encode(), FILES[1]: page(document, files).encode()}
 
 
 def show(section: "Section") -> None:

@@ -2,8 +2,8 @@
 
 import os
 from collections.abc import Callable, Sequence
-from types import TracebackType
-from typing import Any, Self
+from contextlib import ExitStack
+from typing import Any
 
 from soccersim.repeat import run_seed
 from soccersim.spec.load import load_scenario
@@ -12,18 +12,15 @@ from soccersim.workers import Workers
 SEEDS = 200  # runs behind a median and its 5-95 % band
 
 
-class Lab:
+class Lab(ExitStack[None]):
     """A pool of processes that is started when first used; results do not depend on its size.
 
-    >>> with Lab(jobs=2) as lab:
-    ...     runs = lab.runs("defender", seeds=range(200))
+    >>> with Lab(jobs=2, seeds=200) as lab:
+    ...     runs = lab.runs("defender")
     """
 
-    def __init__(
-        self,
-        jobs: int | None = None,
-        seeds: int = SEEDS,
-    ) -> None:
+    def __init__(self, jobs: int | None = None, seeds: int = SEEDS) -> None:
+        super().__init__()
         self.seeds = range(seeds)
         self.progress: Callable[[float], None] | None = None
         self._jobs = jobs or os.cpu_count() or 1
@@ -39,22 +36,10 @@ class Lab:
         if self._jobs == 1:
             return [function(*row) for row in zip(*arguments, strict=True)]
         if self._workers is None:
-            self._workers = Workers(self._jobs).__enter__()
+            self._workers = self.enter_context(Workers(self._jobs))
         return list(self._workers.map(function, *arguments))
 
     def told(self, share: float) -> None:
         """Tell the progress bar how much of all is done."""
         if self.progress:
             self.progress(share)
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        if self._workers:
-            self._workers.__exit__(kind, error, trace)

@@ -1,8 +1,8 @@
 """One HTML file with all that was reproduced: tables, marks, pictures; opens from disk."""
 
 from base64 import b64encode
+from collections.abc import Mapping
 from html import escape
-from pathlib import Path
 from typing import Any
 
 from soccersim.reproduce.papers import PAPERS
@@ -22,11 +22,11 @@ nav a { margin-right: 1rem } h2 { margin-top: 3rem } .note { opacity: .8; max-wi
 """
 
 
-def page(document: dict[str, Any], folder: Path) -> str:
-    """The page of a reproduce.json document; its pictures are read from folder."""
+def page(document: dict[str, Any], pictures: Mapping[str, bytes]) -> str:
+    """The page of a reproduce.json document, whose pictures are PNG files by their names."""
     papers = document["papers"]
     links = "".join(f'<a href="#{name}">{name}</a>' for name in papers)
-    body = "".join(_paper(name, sections, folder) for name, sections in papers.items())
+    body = "".join(_paper(name, sections, pictures) for name, sections in papers.items())
     intro = (
         "The papers' values as printed, ours as simulated, and the difference. A row in red is "
         "wrong in the paper, with the reason. <i>Fitted</i> numbers come from an error model "
@@ -40,12 +40,12 @@ def page(document: dict[str, Any], folder: Path) -> str:
     )
 
 
-def _paper(name: str, sections: list[dict[str, Any]], folder: Path) -> str:
-    inner = "".join(_section(section, folder) for section in sections)
+def _paper(name: str, sections: list[dict[str, Any]], pictures: Mapping[str, bytes]) -> str:
+    inner = "".join(_section(section, pictures) for section in sections)
     return f'<h2 id="{escape(name)}">{escape(PAPERS[name])}</h2>{inner}'
 
 
-def _section(section: dict[str, Any], folder: Path) -> str:
+def _section(section: dict[str, Any], pictures: Mapping[str, bytes]) -> str:
     parts = [f"<h3>{escape(section['title'])}</h3>"]
     if section["rows"]:
         parts.append(_table(section))
@@ -53,7 +53,7 @@ def _section(section: dict[str, Any], folder: Path) -> str:
         parts.append(_summary(section["summary"]))
     parts += [f'<p class="note">{escape(note)}</p>' for note in section["notes"]]
     if section.get("figure"):
-        data = b64encode((folder / section["figure"]).read_bytes()).decode()
+        data = b64encode(pictures[section["figure"]]).decode()
         title = escape(section["title"])
         parts.append(f'<img alt="{title}" src="data:image/png;base64,{data}">')
     return "".join(parts)
