@@ -1,6 +1,7 @@
 """The same scenario over many seeds, in one process or several: the same results either way."""
 
 from collections.abc import Iterator
+from functools import lru_cache
 from typing import Any
 
 from soccersim.record import Recording
@@ -22,10 +23,20 @@ def repeat(scenario: Scenario, seeds: range, jobs: int) -> Iterator[dict[str, An
 
 def run_seed(text: str, seed: int) -> dict[str, Any]:
     """The short report of one seed; text is the scenario as JSON."""
+    return short(recorded(text, seed))
+
+
+def recorded(text: str, seed: int) -> Recording:
+    """The run of one seed; text is the scenario as JSON."""
     from soccersim.simulation import Simulation
 
-    scenario = Scenario.model_validate_json(text).model_copy(update={"seed": seed})
-    return short(Simulation(scenario).run())
+    return Simulation(_told(text).model_copy(update={"seed": seed})).run()
+
+
+@lru_cache(1)
+def _told(text: str) -> Scenario:
+    """The scenario; checked once for all of its seeds."""
+    return Scenario.model_validate_json(text)
 
 
 def short(recording: Recording) -> dict[str, Any]:

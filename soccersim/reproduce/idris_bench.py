@@ -10,6 +10,7 @@ from math import pi
 import numpy as np
 from numpy.typing import NDArray
 
+from soccersim.repeat import recorded
 from soccersim.spec.frame import Frame
 from soccersim.spec.load import load_scenario
 from soccersim.spec.player import Leg, Phase, Player
@@ -76,10 +77,8 @@ def _pushed(
 
 def motor_speeds(text: str, seed: int) -> Array:
     """(2, levels, wheels) rpm: the true speeds, and the encoders' of the last 100 ms."""
-    from soccersim.simulation import Simulation
-
-    scenario = Scenario.model_validate_json(text).model_copy(update={"seed": seed})
-    recording = Simulation(scenario).run()
+    recording = recorded(text, seed)
+    scenario = recording.scenario
     hz, encoder = scenario.timing.record_hz, _encoder(scenario)
     held = round(HOLD * hz)
     ends = np.arange(held, held * len(scenario.robots[0].open_loop or ()) + 1, held) - 1
@@ -91,10 +90,8 @@ def motor_speeds(text: str, seed: int) -> Array:
 
 def mileages(text: str, seed: int) -> Array:
     """(distances, wheels) cm that the pulses of the wheels amount to."""
-    from soccersim.simulation import Simulation
-
-    scenario = Scenario.model_validate_json(text).model_copy(update={"seed": seed})
-    recording = Simulation(scenario).run()
+    recording = recorded(text, seed)
+    scenario = recording.scenario
     every = scenario.every(scenario.timing.record_hz)
     counts = recording.arrays["counts"]
     wheels = [
