@@ -188,8 +188,3 @@ def check_seeds(first: int, runs: int) -> None:
     """Seeds are numbers of 63 bits."""
     if first + runs > 2**63:
         raise InputError(Problem(f"--runs {runs} leads from seed {first} beyond 2^63 - 1"))
-
-
-def prepare(out: Path, force: bool, names: tuple[str, ...] = FILES) -> None:
-    """Make the folder; refuse to overwrite an earlier run's files unless told to."""
-    Results(out, names, force).__enter__()
