@@ -85,6 +85,7 @@ def _decisions(
         "contact": np.zeros((count, robots), np.uint8),
         "kicked": kicked,
         "ball_believed": np.full((count, 2, 5), np.nan, np.float32),
+        "ball_sighted": np.full((count, robots, 2), np.nan, np.float32),
         "phase": np.full(count, PHASES.index("play"), np.uint8),
         "whose": np.full(count, -1, np.int8),
         "started": np.ones(count, np.uint8),

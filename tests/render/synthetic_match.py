@@ -90,6 +90,9 @@ def _decided(time: Any, score: tuple[int, int], holder: Any, ball: Any) -> dict[
     seen[:, 0, :2], seen[:, 1, :2] = ball + 0.15, ball - 0.4
     seen[:, :, 4] = 0.08
     seen[(time % 7) < 1, 1] = np.nan
+    sighted = ball[:, None] + 0.3 * np.random.default_rng(1).standard_normal((count, 10, 2))
+    sighted[:, 4] = np.nan
+    sighted[(time % 5) < 1, 3] = np.nan
     goals = np.floor((time + 20.0) / 60.0)
     return {
         "phase": [SCRIPT[i][1] for i in row],
@@ -98,6 +101,7 @@ def _decided(time: Any, score: tuple[int, int], holder: Any, ball: Any) -> dict[
         "contact": contact,
         "in_play": in_play,
         "ball_believed": seen,
+        "ball_sighted": sighted,
         "score": np.array(score) + np.stack((goals, 0 * goals), axis=1),
         "direction": np.where(2 * time < time[-1], 1, -1),
     }

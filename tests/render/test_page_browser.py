@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from browser import Browser, installed
 from synthetic_match import match
-from tape import RECORD_HZ, event, tape
+from tape import RECORD_HZ, STRIDE, event, tape
 
 from soccersim import Recording, Simulation, load_scenario
 from soccersim.match.play import play_match
@@ -36,8 +36,11 @@ def circling():
     ball = np.stack((-9 + 1.5 * time, 0 * time), axis=1)
     believed = robots.copy()
     believed[:, 2, 0] += 0.5
+    sighted = np.full((len(time[::STRIDE]), 10, 2), np.nan)
+    sighted[:, 7, 0], sighted[:, 7, 1] = ball[::STRIDE, 0], 2.0
     return tape(
         *(robots, ball, believed),
+        ball_sighted=sighted,
         events=[event(t, "goal", "home", f"at {t} s {ATTACK}") for t in EVENTS],
         labels=[[0, 0, ATTACK]],
         notes=[[0, 0, [["text", 0.0, 2.0, ATTACK], ["circle", 0.0, 0.0, 2.0]]]],
@@ -151,6 +154,24 @@ def test_draws_an_upright_field_as_well(opened, recording):
         shown[part] = tuple(tab.run(f"{PIXEL}({place})")[:3])
     away = look.TEAMS["away"]
     assert shown == {"nose": look.NOSE, "shell": away, "other": away}
+
+
+def test_shows_where_cameras_put_the_ball_until_that_is_switched_off(opened, recording):
+    tab = opened()
+    tab.run("soccersim.app.show.trails = false")
+    go(tab, 4.0)
+    place = [recording.ball[4 * RECORD_HZ, 0], 2.0]
+    sightings = tab.run("soccersim.app.moment.sightings")
+    assert {seen["robot"] for seen in sightings} == {7}
+    assert len(sightings) == 13  # of half a second, 25 a second
+    newest = sightings[-1]
+    assert newest["share"] == 1
+    assert [newest["x"], newest["y"]] == pytest.approx(place, abs=0.011)
+    shown = tab.run(f"{PIXEL}([{newest['x']}, {newest['y']}])")[:3]
+    assert np.abs(np.array(shown) - look.tint("away")).max() < 60
+    tab.press("s")
+    go(tab, 4.0)
+    assert tab.run(f"{PIXEL}([{newest['x']}, {newest['y']}])")[:3] in map(list, look.GRASS)
 
 
 def test_plays_at_its_speed_and_pauses(opened):

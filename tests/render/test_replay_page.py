@@ -3,18 +3,14 @@
 import base64
 import hashlib
 import html
-import json
 import re
-import zlib
 from importlib.resources import files
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
-from hypothesis.extra.numpy import arrays
 from synthetic_match import match
 from tape import tape
+from unpacked import told, unspelt
 
 from soccersim import Recording, Simulation, load_scenario
 from soccersim.match.play import play_match
@@ -23,65 +19,8 @@ from soccersim.render import look
 from soccersim.render.page import page
 from soccersim.render.page.channels import COARSE, FINE, FINEST
 from soccersim.render.page.fill import ROOM
-from soccersim.render.page.pack import Packer
 
 ATTACK = '</script><img src=x onerror="pwned=1"><!--{{data}}'
-
-
-def told(text):
-    """The document and the channels of a page, read as its own script reads them."""
-    data = base64.b64decode(re.search(r'id="data">([^<]*)</script>', text)[1])
-    return read(data)
-
-
-def read(data):
-    data = zlib.decompress(data)
-    size = int.from_bytes(data[:4], "little")
-    document = json.loads(data[4 : 4 + size])
-    found, at, rows = {}, 4 + size, document["rows"]
-    for channel in document["channels"]:
-        table = np.zeros((rows, channel["columns"]))
-        for column in range(channel["columns"]):
-            for row in range(rows):
-                number, at = data[at], at + 1
-                if number == 255:
-                    number, at = int.from_bytes(data[at : at + 4], "little"), at + 4
-                table[row, column] = -(number + 1) // 2 if number % 2 else number // 2
-        for _ in range(channel["order"]):
-            table = table.cumsum(axis=0)
-        below = found[channel["on"]] if channel["on"] else 0.0
-        found[channel["key"]] = table * channel["step"] + below
-    assert at == len(data)
-    for key in list(found):
-        if key + "?" in found:
-            found[key][found[key + "?"] == 0] = np.nan
-    return document, found
-
-
-numbers = st.floats(-1e4, 1e4) | st.just(np.nan)
-tables = st.tuples(st.integers(1, 20), st.integers(1, 3)).flatmap(
-    lambda shape: st.tuples(arrays(float, shape, elements=numbers), arrays(float, shape))
-)
-
-
-@given(tables, st.sampled_from((0.001, 0.005, 0.05, 1.0)), st.integers(0, 2))
-def test_every_number_comes_back_within_half_a_step(pair, step, order):
-    values, below = pair[0], np.nan_to_num(pair[1], posinf=1e3, neginf=-1e3).clip(-1e3, 1e3)
-    packer = Packer(len(values))
-    packer.add("below", below, 0.25)
-    packer.add("values", values, step, order, on="below")
-    _, found = read(packer.packed({}))
-    assert np.array_equal(np.isnan(found["values"]), np.isnan(values))
-    assert np.nanmax(np.abs(found["values"] - values), initial=0) <= step / 2 * 1.001 + 1e-9
-    assert np.abs(found["below"] - below).max() <= 0.125
-
-
-@given(arrays(float, st.tuples(st.integers(1, 6), st.integers(1, 3))))
-def test_even_absurd_numbers_are_packed(values):
-    packer = Packer(len(values))
-    packer.add("values", values, 1e-3)
-    _, found = read(packer.packed({}))
-    assert np.isfinite(found["values"]).tolist() == np.isfinite(values).tolist()
 
 
 @pytest.fixture(scope="module")
@@ -132,6 +71,39 @@ def test_decisions_and_words_are_those_of_the_recording(recording, shown):
     assert np.nanmax(np.abs(found["seen_x"] - seen[..., 0])) <= 0.0051
     told_labels = [label[1:] for label in document["match"]["labels"]]
     assert told_labels == [label[1:] for label in recording.match["labels"]]
+
+
+def test_sightings_are_where_cameras_put_the_ball(recording, shown):
+    document, found = told(shown)
+    rows = len(found["tick"])  # the last has the same decision as the one before
+    sighted = np.full((rows, 10, 2), np.nan)
+    sighted[:-1] = recording.arrays["ball_sighted"]
+    assert (np.isfinite(found["sighted_x"]) == np.isfinite(sighted[..., 0])).all()
+    then = np.maximum(np.arange(len(sighted)) - document["late"], 0)
+    for axis, part in enumerate(("x", "y")):
+        off = found[f"sighted_{part}"] + found[f"ball_{part}"][then] - sighted[..., axis]
+        assert np.nanmax(np.abs(off)) <= FINE.sighted / 2 + 1e-5
+
+
+def test_each_sighting_is_told_once_and_of_several_between_two_rows_the_newest():
+    short = match(4.0)
+    sighted = short.arrays["ball_sighted"]
+    _, found = told(page(short))  # of two rows each decision has here, the first
+    assert np.isfinite(found["sighted_x"][::2]).sum() == np.isfinite(sighted[..., 0]).sum()
+    assert np.isnan(found["sighted_x"][1::2]).all()
+    records = {key: short.arrays[key][::8] for key in ("tick", "chain", "body", "estimate")}
+    document, found = told(page(Recording(short.meta, short.arrays | records)))
+    newest = sighted[::4]  # of four decisions a row
+    then = np.maximum(np.arange(len(newest)) - document["late"], 0)
+    shown = found["ball_x"][then] + found["sighted_x"][: len(newest)]
+    assert np.nanmax(np.abs(shown - newest[..., 0])) < 0.02
+    assert (np.isfinite(shown) >= np.isfinite(newest[..., 0])).all()
+
+
+def test_recording_that_has_no_sightings_makes_a_page(recording):
+    arrays = {key: a for key, a in recording.arrays.items() if key != "ball_sighted"}
+    _, found = told(page(Recording(recording.meta, arrays)))
+    assert "sighted_x" not in found
 
 
 def test_notes_are_those_of_the_recording(recording, shown):
@@ -258,4 +230,4 @@ def test_ten_minutes_of_a_match_take_less_than_a_megabyte(teams, tmp_path):
     text = page(Recording.load(path))
     assert len(text.encode()) < 1_000_000
     data = re.search(r'id="data">([^<]*)</script>', text)[1]
-    assert len(base64.b64decode(data)) <= ROOM
+    assert len(unspelt(data)) <= ROOM

@@ -1,16 +1,18 @@
 """Which numbers of a recording go into the page, and how finely."""
 
-from typing import NamedTuple
+from dataclasses import dataclass
+from math import ceil
 
 import numpy as np
 
 from soccersim.record.recording import Recording
 from soccersim.render.page.notes import PLACE, noted, places
-from soccersim.render.page.pack import Array, Packer
+from soccersim.render.page.pack import Array, Packer, Whole
 from soccersim.render.story import Story
 
 
-class Finesse(NamedTuple):
+@dataclass(frozen=True)
+class Finesse:
     """Steps, and rows a second: half a step is the largest error."""
 
     hz: int
@@ -18,12 +20,13 @@ class Finesse(NamedTuple):
     heading: float  # rad
     believed: float  # m
     speed: float  # m/s and rad/s, of commands
+    sighted: float  # m, of where a camera put the ball
 
 
 DEGREE = float(np.pi) / 180
-FINEST = Finesse(50, 0.001, 0.1 * DEGREE, 0.002, 0.01)  # a run, or a minute of a match
-FINE = Finesse(25, 0.002, 0.25 * DEGREE, 0.005, 0.05)
-COARSE = Finesse(25, 0.005, 0.5 * DEGREE, 0.008, 0.1)  # for restless teams in a long match
+FINEST = Finesse(50, 0.001, 0.1 * DEGREE, 0.002, 0.01, 0.02)  # a run, or a minute of a match
+FINE = Finesse(25, 0.002, 0.25 * DEGREE, 0.005, 0.05, 0.05)
+COARSE = Finesse(25, 0.005, 0.5 * DEGREE, 0.008, 0.1, 0.1)  # for restless teams in a long match
 BALL = 0.01  # m, of where a team believes the ball to be
 AGE = 0.02  # s
 
@@ -92,6 +95,8 @@ def _add_match(
     packer.add("seen_x", seen[..., 0], BALL, order=1)
     packer.add("seen_y", seen[..., 1], BALL, order=1)
     packer.add("seen_age", seen[..., 4], AGE, order=1)
+    if "ball_sighted" in recording.arrays:
+        _add_sightings(packer, recording, fine, decision)
     for slot in (0, 1):
         told = noted(recording, slot, decision.tolist())
         packer.add(f"notes_{slot}", places(told), PLACE)
@@ -99,6 +104,30 @@ def _add_match(
     packer.add("direction", np.array(story.direction)[decision], order=1)
     possession = [story.possession(record) for record in shown]
     packer.add("possession", np.array([-1 if p is None else p for p in possession]), order=1)
+
+
+def _add_sightings(packer: Packer, recording: Recording, fine: Finesse, decision: Whole) -> None:
+    """Where each camera put the ball, from where it was when the picture was taken, or about then.
+
+    A row tells the newest sighting since the row before.
+    """
+    sighted = recording.arrays["ball_sighted"]
+    table = np.full((len(decision), *sighted.shape[1:]), np.nan)
+    told = slice(0, decision[-1] + 1)
+    row = np.searchsorted(decision, np.arange(told.stop))  # the first that tells of each decision
+    at, robot = np.nonzero(np.isfinite(sighted[told, :, 0]))
+    table[row[at], robot] = sighted[at, robot]
+    then = np.maximum(np.arange(len(decision)) - late(recording, fine), 0)
+    for axis, part in enumerate(("x", "y")):
+        offset = table[..., axis] - packer.shown[f"ball_{part}"][then]
+        packer.add(
+            f"sighted_{part}", offset if part == "x" else np.nan_to_num(offset), fine.sighted, 0
+        )
+
+
+def late(recording: Recording, fine: Finesse) -> int:
+    """How many rows a picture is old when the robot has worked on it, about."""
+    return ceil(recording.scenario.senses.camera.delay * fine.hz)
 
 
 def _add_run(packer: Packer, recording: Recording, fine: Finesse, shown: list[int]) -> None:

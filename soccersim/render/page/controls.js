@@ -10,6 +10,7 @@ const TOGGLES = [
   ["trails", "trails", "t", () => true],
   ["commands", "commands", "c", (told, channels) => told.robots.length > 0 && Boolean(channels.command_x)],
   ["seen", "believed ball", "k", (told) => Boolean(told.match) && told.ball !== null],
+  ["sightings", "sightings", "s", (told, channels) => Boolean(channels.sighted_x)],
   ["words", "labels and notes", "l", (told) => Boolean(told.match)],
   ["plan", "path and target", "r", (told) => told.robots.some((robot) => robot.targets.length)],
 ];
@@ -24,7 +25,7 @@ const KEYS = [
   ["1 … 9", "pick a robot of home by its number; with Shift one of away"],
   ["F", "follow the robot, or else the ball"],
   ["Esc", "whole field; nothing picked"],
-  ["B T C K L R", "what is shown: the buttons below the time line, in order"],
+  ["B T C K S L R", "what is shown: the buttons below the time line, in order"],
   ["M", "light or dark"],
   ["?", "this help"],
 ];

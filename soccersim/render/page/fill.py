@@ -1,8 +1,8 @@
 """Puts a recording and the page's own files together to one HTML file.
 
 Nothing that a team or a scenario wrote stands in the HTML as it is, save for the escaped title:
-all else is deflated and in base64, and the page's scripts write it as text. A policy in the head
-lets the browser run and load nothing but what is here.
+all else is deflated and spelt in letters, and the page's scripts write it as text. A policy in the
+head lets the browser run and load nothing but what is here.
 """
 
 from base64 import b64encode
@@ -14,8 +14,9 @@ from importlib.resources import files
 from soccersim.problems import InputError, Problem
 from soccersim.record.recording import Recording
 from soccersim.render import look
-from soccersim.render.page.channels import COARSE, FINE, FINEST, Finesse, channels, frames
+from soccersim.render.page.channels import COARSE, FINE, FINEST, Finesse, channels, frames, late
 from soccersim.render.page.document import css, document
+from soccersim.render.page.pack import spelt
 from soccersim.render.story import Story
 
 # in this order they are one script
@@ -23,7 +24,7 @@ DRAWING = ("view", "pitch", "robots", "marks", "picture")  # knows nothing of re
 SCRIPTS = ("unpack", "recording", *DRAWING, "player", "timeline", "panels", "controls", "main")
 PALETTE = ("page", "card", "ink", "faint", "believed", "target")
 SHORT = 6_000  # poses up to which the finest steps are taken: four minutes of one robot
-ROOM = 670_000  # bytes of packed numbers; a page has a third more, in base64, and its own files
+ROOM = 735_000  # bytes of packed numbers; a page has 16 letters for 13 of them, and its own files
 
 
 def page(recording: Recording, title: str = "") -> str:
@@ -44,7 +45,7 @@ def page(recording: Recording, title: str = "") -> str:
 
 def _packed(recording: Recording, story: Story | None, title: str, fine: Finesse) -> bytes:
     shown = frames(recording, fine.hz)
-    told = document(recording, story, title, shown)
+    told = document(recording, story, title, shown) | {"late": late(recording, fine)}
     return channels(recording, story, fine, shown).packed(told)
 
 
@@ -65,7 +66,7 @@ def _filled(title: str, data: bytes) -> str:
         .replace("{{style}}", style)
         .replace("{{script}}", script)
         .replace("{{title}}", escape(title).replace("{", "&#123;"))
-        .replace("{{data}}", b64encode(data).decode())
+        .replace("{{data}}", spelt(data))
     )
 
 

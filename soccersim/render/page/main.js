@@ -40,7 +40,7 @@ class App {
     const { told } = recording;
     this.recording = recording;
     this.theme = theme;
-    this.show = { believed: true, trails: true, commands: false, seen: true, words: true, plan: true };
+    this.show = { believed: true, trails: true, commands: false, seen: true, sightings: true, words: true, plan: true };
     this.trail = told.match ? TRAILS[1] : TRAILS[2];
     this.selected = told.robots.length === 1 ? 0 : -1;
     this.following = false;
@@ -215,7 +215,8 @@ function fillSigns(told) {
   const signs = [
     ["believed", "where a robot believes it is, where that can be told from where it is"],
     ...(told.match
-      ? [["seen", "the ball as a team believes it to be; dashed: not seen for half a second; dots: where sightings have put it lately"],
+      ? [["seen", "the ball as a team believes it to be; dashed: not seen for half a second"],
+         ["sighting", "where a robot's camera saw the ball in the last half second; a line to the robot that is picked"],
          ["halo", "this robot has the ball in its mouth"]]
       : [["target", "path, target and set-point that the robot is told"]]),
   ];
@@ -224,9 +225,7 @@ function fillSigns(told) {
     name.append(make("span", "", { class: `sign ${kind}` }));
     return [name, make("dd", text)];
   }));
-  setText(byId("holds"), told.match
-    ? "A recording holds what each team makes of all its cameras' sightings of the ball, and how old the last one is; it does not hold the single sightings."
-    : "Places are in the field frame: metres from the centre spot, degrees counter-clockwise.");
+  setText(byId("holds"), "Places are in the field frame: metres from the centre spot, degrees counter-clockwise.");
 }
 
 async function start() {

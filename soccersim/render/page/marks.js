@@ -1,4 +1,4 @@
-// Marks about what moves: in metres ways, commands, targets, kicks, believed balls; in pixels words.
+// Marks about what moves: in metres ways, commands, targets, kicks, balls believed and seen; in pixels words.
 
 const FADES = 8; // steps in which a trail fades
 const FAINTEST = 0.1;
@@ -118,13 +118,33 @@ function drawKick(pen, look, kick, pixel) {
   pen.globalAlpha = 1;
 }
 
-// The ball as a team believes it, and the places where sightings have put it lately.
-function drawSeen(pen, look, team, seen, sightings, radius, pixel) {
-  for (const { x, y, share } of sightings) {
-    pen.globalAlpha = 0.75 * share;
-    disc(pen, x, y, 1.8 * pixel, look.tints[team]);
+// A cross where a camera has put the ball; it fades.
+function drawSighting(pen, colour, { x, y, share }, pixel) {
+  const half = 3 * pixel;
+  pen.globalAlpha = share;
+  pen.strokeStyle = colour;
+  pen.lineWidth = 1.3 * pixel;
+  pen.beginPath();
+  for (const side of [1, -1]) {
+    pen.moveTo(x - half, y - side * half);
+    pen.lineTo(x + half, y + side * half);
   }
+  pen.stroke();
   pen.globalAlpha = 1;
+}
+
+// From where a robot believes it is to where it saw the ball.
+function drawSightLine(pen, colour, from, { x, y, share }, pixel) {
+  pen.globalAlpha = 0.7 * share;
+  pen.strokeStyle = colour;
+  pen.lineWidth = pixel;
+  trace(pen, [[from.x, from.y], [x, y]]);
+  pen.stroke();
+  pen.globalAlpha = 1;
+}
+
+// The ball as a team believes it.
+function drawSeen(pen, look, team, seen, radius, pixel) {
   if (!seen) return;
   const old = seen.age > look.old;
   const size = Math.max(radius, 6.5 * pixel);

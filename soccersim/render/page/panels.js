@@ -123,6 +123,8 @@ function showNumbers(recording, moment, index) {
   if (recording.told.match) {
     const [kick, dribble] = [robot.kick > 0 ? `kick at ${number(robot.kick, 1)} m/s` : "", robot.dribble ? "dribble" : ""];
     rows.push(["told: ball", [kick, dribble].filter(Boolean).join(", ") || "–"]);
+    const seen = moment.sightings.filter((sighting) => sighting.robot === index).pop();
+    rows.push(["sees the ball at x, y, m", seen ? `${number(seen.x, 2)}, ${number(seen.y, 2)}` : "–"]);
     rows.push(["ball in its mouth", robot.contact ? "yes" : "no"]);
   }
   panel.replaceChildren(title, pose, table(null, [...rows, ...planned(recording, robot, index, moment.row)]), ...wheels(recording, index, moment.row));

@@ -4,8 +4,8 @@
 // stage: field, look, models, robots (name, number, team, model), ball (radius or null), arms
 // moment: robots [{x, y, heading, inPlay, contact, label, believed, command, reference, target}],
 //   ball {x, y, heading}, links, trails, believedTrails, ballTrail (points), routes, kicks, seen
-//   [{x, y, age}], sightings, notes (by team), direction (home plays to x of this sign)
-// show: what the viewer wants: believed, trails, commands, seen, words, plan: true or false
+//   [{x, y, age}], notes (by team), sightings [{x, y, robot, share: 1 when new}], direction (home plays to x of this sign)
+// show: what the viewer wants: believed, trails, commands, seen, sightings, words, plan: true or false
 
 const APART = 3; // px between truth and belief from which a ghost is drawn; more when near
 const TURNED = (5 * Math.PI) / 180;
@@ -67,9 +67,10 @@ class Picture {
     moment.links.forEach((links, i) => drawArm(pen, look, stage.arms[i], links, this.pixel));
     if (show.seen) {
       moment.seen.forEach((seen, team) => {
-        drawSeen(pen, look, team, seen, moment.sightings[team], stage.ball || 0, this.pixel);
+        drawSeen(pen, look, team, seen, stage.ball || 0, this.pixel);
       });
     }
+    if (show.sightings) this.drawSightings(moment, selected);
     if (moment.ball) drawBall(pen, look, stage.ball, moment.ball, this.pixel);
     this.pixels();
     if (show.words) this.drawWords(moment);
@@ -139,6 +140,16 @@ class Picture {
       if (!robot.command || !robot.inPlay) return;
       drawCommand(this.pen, this.inks[this.stage.robots[i].team], this.model(i).radius, robot, this.pixel);
     });
+  }
+
+  // Crosses, and a line to the newest of the robot that is looked at.
+  drawSightings(moment, selected) {
+    const { pen, pixel, stage } = this;
+    for (const sighting of moment.sightings) {
+      drawSighting(pen, this.inks[stage.robots[sighting.robot].team], sighting, pixel);
+    }
+    const own = moment.sightings.filter((sighting) => sighting.robot === selected).pop();
+    if (own) drawSightLine(pen, stage.look.ink, moment.robots[selected].believed, own, pixel);
   }
 
   // Beliefs that one can see to be wrong, and always that of the robot that is looked at.

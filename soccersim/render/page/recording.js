@@ -4,7 +4,7 @@ const ROBOT_JUMP = 10; // m/s; faster, it was carried there: nothing lies betwee
 const BALL_JUMP = 25;
 const SPAN = 3; // rows to either side, over which velocities are measured
 const NOTE_NUMBERS = { line: 4, circle: 3, text: 2 };
-const SIGHTINGS = 1; // s for which a sighting is shown
+const SIGHTINGS = 0.5; // s for which a sighting is shown
 
 // The last index whose number is not above the value; -1 before the first.
 function lastUpTo(count, value, numberAt) {
@@ -126,16 +126,20 @@ class Recording {
     return points;
   }
 
-  // The believed balls of the moments at which a new sighting came in.
-  sightings(team, row) {
-    const [x, y, age] = ["x", "y", "age"].map((part) => this.channels[`seen_${part}`][team]);
+  // Where the camera of each robot has put the ball lately, the newest last. What is told is how far
+  // from the ball it was, as that lay when the picture was taken.
+  sightings(time, row) {
+    const { sighted_x: dx, sighted_y: dy, ball_x: [x], ball_y: [y] } = this.channels;
     const found = [];
-    for (let i = Math.max(1, row - Math.round(SIGHTINGS / this.dt)); i <= row; i++) {
-      if (age[i] <= age[i - 1] && Number.isFinite(x[i])) {
-        found.push({ x: x[i], y: y[i], share: 1 - ((row - i) * this.dt) / SIGHTINGS });
-      }
+    for (let i = row; dx && i >= 0 && time - this.times[i] < SIGHTINGS; i--) {
+      const then = Math.max(0, i - this.told.late);
+      const share = 1 - (time - this.times[i]) / SIGHTINGS;
+      dx.forEach((column, robot) => {
+        const place = { x: x[then] + column[i], y: y[then] + dy[robot][i] };
+        if (Number.isFinite(place.x)) found.push({ ...place, robot, share });
+      });
     }
-    return found;
+    return found.reverse();
   }
 
   // What a team has drawn: the kind of each note, its numbers, of a text the words.
@@ -180,7 +184,7 @@ class Recording {
       routes: told.match ? [] : told.robots.map((player) => this.route(player)),
       kicks: this.kicks(time, told.look.flash),
       seen: [null, null],
-      sightings: [[], []],
+      sightings: told.match ? this.sightings(time, row) : [],
       notes: told.match ? [0, 1].map((team) => this.notes(team, row)) : [[], []],
       direction: 1,
       state: this.holding(told.match ? told.match.states : told.states, row) || ["", null, ""],
@@ -191,7 +195,6 @@ class Recording {
         const [x, y, age] = ["x", "y", "age"].map((part) => channels[`seen_${part}`][team][row]);
         return Number.isFinite(x) ? { x, y, age } : null;
       });
-      moment.sightings = [0, 1].map((team) => this.sightings(team, row));
       moment.score = this.holding(told.match.scores, row);
       moment.half = this.holding(told.match.halves, row);
       moment.possession = channels.possession[0][row];

@@ -1,10 +1,32 @@
 // Reads what pack.py has written: a JSON document, and channels of numbers over time.
 
-async function inflated(base64) {
-  const text = atob(base64);
-  const bytes = new Uint8Array(text.length);
-  for (let i = 0; i < text.length; i++) bytes[i] = text.charCodeAt(i);
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+const FIRST = 35; // "#": the first of 91 letters
+const LEFT_OUT = 60; // "<" is none of them
+
+// The bytes of a text: 13 bits of each two letters. Whatever is no letter, like a new line, is left out.
+function bytesOf(text) {
+  const bytes = new Uint8Array(Math.ceil((text.length * 13) / 16));
+  let [at, held, count, first] = [0, 0, 0, -1];
+  for (let i = 0; i < text.length; i++) {
+    const code = text.charCodeAt(i);
+    if (code < FIRST) continue;
+    const digit = code - FIRST - (code > LEFT_OUT ? 1 : 0);
+    if (first < 0) first = digit;
+    else {
+      held = ((held & 127) << 13) | (91 * first + digit); // seven bits at most are left
+      first = -1;
+      count += 13;
+      while (count >= 8) {
+        count -= 8;
+        bytes[at++] = held >> count;
+      }
+    }
+  }
+  return bytes.subarray(4, 4 + new DataView(bytes.buffer).getUint32(0, true));
+}
+
+async function inflated(text) {
+  const stream = new Blob([bytesOf(text)]).stream().pipeThrough(new DecompressionStream("deflate"));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
@@ -33,8 +55,8 @@ function readChannel(bytes, words, at, rows, told, below) {
 }
 
 // The document, and the channels by name.
-async function unpacked(base64) {
-  const bytes = await inflated(base64);
+async function unpacked(text) {
+  const bytes = await inflated(text);
   const words = new DataView(bytes.buffer);
   const size = words.getUint32(0, true);
   const told = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + size)));
