@@ -43,7 +43,7 @@ class LiveGame(Game):
                 self.over = True
 
     def _between(self, tick: int) -> None:
-        if tick % self.beat == 0:
+        if tick % self.beat == 0 or self.simulation.done:
             self.answers = self._beat(self.seats, tick) or self.answers
 
     def _ask(self, seats: Sequence[Seat], tick: int) -> list[Answer]:

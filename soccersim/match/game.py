@@ -96,7 +96,7 @@ class Game:
         self.perception.step(
             m.truth, m.readings, m.estimate, tick, referee.in_play, referee.direction
         )
-        if tick % self.decide_every != 0:
+        if tick % self.decide_every != 0 and not simulation.done:  # the referee ends the match
             return None
         self.turn.tick, self.turn.share = tick, tick / simulation.end
         self._rule(tick)

@@ -57,6 +57,8 @@ class Referee:
         """What is so now, and what is to be done. body: (R + 1, 6), the ball last; field frame."""
         self.scene.look(tick, body)
         self.desk.open()
+        if self.phase is Phase.PLAY and self._time_is_up():
+            self._play(watch, self.touches.read(watch))  # what came before the whistle counts
         if self.phase is not Phase.OVER:
             self._clock()
         if self.phase is not Phase.OVER:
@@ -84,14 +86,17 @@ class Referee:
     def _cue(self, cue: Cue) -> None:
         self.phase = TRANSITIONS[self.phase][cue]
 
+    def _time_is_up(self) -> bool:
+        """Whether this half is over."""
+        return self.scene.tick >= (self.end if self.half == 2 else self.end // 2)
+
     def _clock(self) -> None:
         """Half-time and the end: the clock never stops."""
-        tick = self.scene.tick
-        if tick >= self.end:
+        if self.scene.tick >= self.end:
             self._cue(Cue.TIME_UP)
             self.whose, self.started = None, False
             self.desk.say("end", TIME, f"the match ends {self._standing()}", CENTRE)
-        elif self.half == 1 and tick >= self.end // 2:
+        elif self.half == 1 and self._time_is_up():
             self.half = 2
             self._change_ends()
             text = f"half-time at {self._standing()}, ends are changed"

@@ -33,6 +33,14 @@ def test_a_match_is_played_by_all_and_written_down(match):
     assert {row[2] for row in recording.match["labels"]} >= {"wait", "kick", ""}
 
 
+def test_a_match_that_ends_between_two_decisions_is_ended_by_the_referee():
+    match = play(RUSH, RUSH, "duration=0.43")
+    assert match.recording.duration == pytest.approx(0.43)  # decisions are 0.04 s apart
+    end = match.recording.match["events"][-1]
+    assert (end["kind"], end["time"]) == ("end", pytest.approx(0.43))
+    assert len(match.recording.arrays["decision_tick"]) == 11  # and the teams are not asked again
+
+
 def test_what_cameras_saw_of_the_ball_is_written_down(match):
     recording = match.recording
     seen, sight = recording.arrays["ball_sighted"], recording.scenario.senses.camera.ball

@@ -59,3 +59,18 @@ def test_a_goal_in_the_other_half_counts_for_the_team_that_attacks_that_end_now(
     rig.kick("away-5", 1.0, 0.0).touch("away-4", -1, 0).kick("away-4", 11.3, 0.0).run(0.1)
     assert rig.event("goal").side == "away"
     assert rig.referee.score == (0, 1)
+
+
+@pytest.mark.parametrize(
+    ("half", "team", "whistle"), [(1, "home", "half_time"), (2, "away", "end")]
+)
+def test_a_goal_counts_until_the_whistle_and_not_after(half, team, whistle):
+    for late in (0, 1):  # ticks
+        rig = Rig(scenario(changes={"duration": 36.0}))  # over before the ball is stuck
+        rig.until(lambda rig=rig: rig.referee.half == half).away().to_start()
+        rig.kick(f"{team}-5", 1.0, 0.0).touch(f"{team}-4", -1, 0)
+        rig.until(lambda rig=rig, at=1800 * half - 1 + late: rig.tick == at)
+        rig.put("ball", 11.3, 0.0)
+        rig.run(0.1)
+        assert rig.kinds[-2:] == (["in_play", whistle] if late else ["goal", whistle])
+        assert sum(rig.referee.score) == 1 - late
