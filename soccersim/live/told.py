@@ -5,7 +5,7 @@ from typing import Any
 from soccersim.live.catalogue import Catalogue
 from soccersim.live.messages import SPEEDS
 from soccersim.live.play import Play
-from soccersim.render import sprites
+from soccersim.render import likeness
 from soccersim.render.page import document
 from soccersim.sheet import PHASES
 from soccersim.spec.robot import Robot
@@ -62,5 +62,5 @@ def hello(play: Play, layout: dict[str, Any], catalogue: Catalogue) -> dict[str,
 
 def _model(model: Robot) -> dict[str, Any]:
     """A kind of robot as it is drawn."""
-    wheels = [[round(float(number), 4) for number in mark] for mark in sprites.wheel_marks(model)]
+    wheels = [[round(float(number), 4) for number in mark] for mark in likeness.wheel_marks(model)]
     return {"radius": model.radius, "wheels": wheels}

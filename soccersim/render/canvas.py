@@ -1,13 +1,25 @@
 """Shapes in metres, drawn at several times their size and shrunk: the edges come out smooth."""
 
 from collections.abc import Iterable
-from math import cos, hypot, sin
+from itertools import accumulate
+from math import ceil, cos, hypot, sin
 
+import numpy as np
 import pygame
 
 FINE = 4  # times as large while drawn; beyond it nobody sees a difference
 Shade = tuple[int, int, int] | tuple[int, int, int, int]
 Place = tuple[float, float]
+
+
+class Shapes:
+    """Polygons in their shades that are drawn again and again, at other headings."""
+
+    def __init__(self, polygons: list[tuple[list[Place], Shade]]) -> None:
+        self.points = np.array([place for places, _ in polygons for place in places])
+        ends = list(accumulate(len(places) for places, _ in polygons))
+        parts = map(slice, [0, *ends], ends)
+        self.parts = list(zip(parts, (shade for _, shade in polygons), strict=True))
 
 
 class Canvas:
@@ -30,6 +42,12 @@ class Canvas:
         self.surface = pygame.Surface((size[0] * fine, size[1] * fine), flags, 32)
         self.surface.fill(ground or (0, 0, 0, 0))
         self.middle = (size[0] * fine / 2, size[1] * fine / 2)
+
+    @classmethod
+    def around(cls, reach: float, px_per_m: float) -> "Canvas":
+        """A square one that shows as many metres each way."""
+        side = 2 * ceil(reach * px_per_m + 1)
+        return cls((side, side), px_per_m)
 
     def pixel(self, x: float, y: float) -> tuple[int, int]:
         """Where a place lies on the large surface."""
@@ -84,23 +102,33 @@ class Canvas:
 
     def line(self, start: Place, end: Place, width: float, shade: Shade) -> None:
         """A straight line with square ends."""
-        dx, dy = end[0] - start[0], end[1] - start[1]
-        half = width / 2 / (hypot(dx, dy) or 1.0)
-        nx, ny = -dy * half, dx * half
-        self.polygon(
-            [
-                (start[0] + nx, start[1] + ny),
-                (end[0] + nx, end[1] + ny),
-                (end[0] - nx, end[1] - ny),
-                (start[0] - nx, start[1] - ny),
-            ],
-            shade,
-        )
+        self.polygon(bar(start, end, width), shade)
+
+    def turned(self, shapes: Shapes, heading: float) -> None:
+        """Polygons turned counter-clockwise about the middle, all at once."""
+        c, s = cos(heading) * self.px_per_m, sin(heading) * self.px_per_m
+        places = shapes.points @ np.array(((c, -s), (-s, -c))) + self.middle
+        pixels = np.rint(places).astype(int).tolist()
+        for part, shade in shapes.parts:
+            pygame.draw.polygon(self.surface, shade, pixels[part])
 
     def shrunk(self) -> pygame.Surface:
         """The picture at its size; without a ground to be blitted with BLEND_PREMULTIPLIED."""
         surface = self.surface.premul_alpha() if self.transparent else self.surface
         return pygame.transform.smoothscale(surface, self.size)
+
+
+def bar(start: Place, end: Place, width: float) -> list[Place]:
+    """The corners of a straight line with square ends."""
+    dx, dy = end[0] - start[0], end[1] - start[1]
+    half = width / 2 / (hypot(dx, dy) or 1.0)
+    nx, ny = -dy * half, dx * half
+    return [
+        (start[0] + nx, start[1] + ny),
+        (end[0] + nx, end[1] + ny),
+        (end[0] - nx, end[1] - ny),
+        (start[0] - nx, start[1] - ny),
+    ]
 
 
 def turned(points: Iterable[Place], angle: float, place: Place = (0.0, 0.0)) -> list[Place]:

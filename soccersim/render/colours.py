@@ -1,93 +1,99 @@
 """A picture as H.264 wants it, kept up to date: only what changed is turned into its colours.
 
-To turn a whole picture of 1280 x 854 costs more than to draw it. From frame to frame a twentieth of
-it changes; to find that is two reads of the picture.
+To turn a whole picture of 1280 x 854 takes four times as long as to draw one. From frame to frame a
+twentieth of it changes.
 """
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pygame
 from numpy.typing import NDArray
 
+from soccersim.kernel import kernel
+
 if TYPE_CHECKING:
     from av.video.frame import VideoFrame
-
-CELLS = (16, 8, 4, 2)  # px, width of a cell; it is two rows high, as the colours are
-AT_ONCE = (
-    1024  # cells: what they take stays near the processor; all of them at once take 4 times as long
-)
-WHOLE = 2**13  # of the matrix: its numbers are whole, so that sums of float32 are exact
 
 RED, BLUE = 0.2126, 0.0722  # shares of brightness, by ITU-R BT.709
 GREEN = 1 - RED - BLUE
 LUMA, CHROMA = 219 / 255, 112 / 255  # of their range in a film, which leaves room at both ends
 BLACK, GREY = 16, 128
+BITS = 13  # of the weights: they are whole numbers of 1 / 2**BITS
+
+Plane = NDArray[np.uint8]
 
 
-def _matrix() -> NDArray[np.float32]:
-    """(4, 3): from blue, green, red and nothing to brightness, blueness and redness."""
+def _weights() -> tuple[tuple[int, int, int], ...]:
+    """Of red, green and blue in brightness, blueness and redness."""
     blue, red = 2 * (1 - BLUE), 2 * (1 - RED)
     rows = (
-        (LUMA * BLUE, 2 * CHROMA * (1 - BLUE) / blue, 2 * CHROMA * -BLUE / red),
-        (LUMA * GREEN, 2 * CHROMA * -GREEN / blue, 2 * CHROMA * -GREEN / red),
-        (LUMA * RED, 2 * CHROMA * -RED / blue, 2 * CHROMA * (1 - RED) / red),
-        (0.0, 0.0, 0.0),
+        (LUMA * RED, LUMA * GREEN, LUMA * BLUE),
+        (2 * CHROMA * -RED / blue, 2 * CHROMA * -GREEN / blue, 2 * CHROMA * (1 - BLUE) / blue),
+        (2 * CHROMA * (1 - RED) / red, 2 * CHROMA * -GREEN / red, 2 * CHROMA * -BLUE / red),
     )
-    matrix: NDArray[np.float32] = np.rint(np.array(rows) * WHOLE).astype(np.float32)
-    return matrix
+    return tuple((round(r * 2**BITS), round(g * 2**BITS), round(b * 2**BITS)) for r, g, b in rows)
 
 
-MATRIX = _matrix()
-SQUARE = np.concatenate((MATRIX[:, 1:], MATRIX[:, 1:]))  # (8, 2): of two pixels side by side
+BRIGHT, BLUISH, REDDISH = _weights()
 
 
 class Colours:
     """One frame in yuv420p, with even sides, that follows a surface of 32 bits."""
 
     def __init__(self, frame: "VideoFrame") -> None:
-        width, height = frame.width, frame.height
         self.frame = frame
-        self.cell = next(cell for cell in CELLS if width % cell == 0)
-        self.columns = width // self.cell
-        planes = [
-            np.frombuffer(memoryview(plane), np.uint8).reshape(plane.height, -1)[:, : plane.width]
+        self.last: NDArray[np.uint32] | None = None
+        self.planes: list[Plane] = [
+            np.frombuffer(memoryview(plane), np.uint8).reshape(plane.height, -1)
             for plane in frame.planes
         ]
-        rows = height // 2
-        self.luma = planes[0].reshape(rows, 2, self.columns, self.cell)
-        self.chroma = [plane.reshape(rows, self.columns, self.cell // 2) for plane in planes[1:]]
-        self.pixels: NDArray[np.uint32] | None = None
-        self.differs = np.empty((height, width // 2), bool)
 
-    def follow(self, surface: pygame.Surface) -> "VideoFrame":
-        """The frame, with this surface's picture in it."""
-        pixels = pygame.surfarray.pixels2d(surface).T.astype(np.uint32, copy=False)
-        if self.pixels is None:
-            self.pixels = pixels.copy()
-            self.differs[:] = True
-        else:
-            np.not_equal(pixels.view(np.uint64), self.pixels.view(np.uint64), out=self.differs)
-        marks = self.differs.view(f"u{self.cell // 2}")  # two pixels are one bool
-        changed = np.flatnonzero((marks[0::2] | marks[1::2]).astype(bool))
-        rows, columns = np.divmod(changed, self.columns)
-        shape = (len(self.luma), 2, self.columns, self.cell)
-        new, old = pixels.reshape(shape), self.pixels.reshape(shape)
-        for start in range(0, len(rows), AT_ONCE):
-            row, column = rows[start : start + AT_ONCE], columns[start : start + AT_ONCE]
-            cells = new[row, :, column]
-            old[row, :, column] = cells
-            self._turn(cells, row, column)
+    def follow(self, surface: pygame.Surface, changed: Iterable[pygame.Rect]) -> "VideoFrame":
+        """The frame with this picture in it; changed: all that may differ from the last one."""
+        pixels = np.ascontiguousarray(pygame.surfarray.pixels2d(surface).T, np.uint32)
+        if self.last is None:
+            self.last, changed = ~pixels, [surface.get_rect()]
+        parts = [(rect.left, rect.top, rect.right, rect.bottom) for rect in changed]
+        turn(pixels, self.last, np.array(parts, np.int64).reshape(-1, 4), *self.planes)
         return self.frame
 
-    def _turn(self, cells: NDArray[np.uint32], row: Any, column: Any) -> None:
-        """Cells (K, 2, cell) into the planes."""
-        count, half = len(cells), self.cell // 2
-        parts = cells.view(np.uint8).reshape(count, 2, -1).astype(np.float32)
-        luma = (parts.reshape(-1, 4) @ MATRIX[:, 0] + WHOLE * (BLACK + 0.5)) * (1 / WHOLE)
-        self.luma[row, :, column] = luma.astype(np.uint8).reshape(count, 2, self.cell)
-        pairs = (parts[:, 0] + parts[:, 1]).reshape(-1, 8)  # of columns
-        chroma = (pairs @ SQUARE + 4 * WHOLE * (GREY + 0.5)) * (0.25 / WHOLE)
-        whole = chroma.astype(np.uint8).reshape(count, half, 2)
-        for plane, part in zip(self.chroma, (whole[..., 0], whole[..., 1]), strict=True):
-            plane[row, column] = part
+
+@kernel
+def turn(
+    pixels: NDArray[np.uint32],
+    last: NDArray[np.uint32],
+    parts: NDArray[np.int64],
+    luma: Plane,
+    blueness: Plane,
+    redness: Plane,
+) -> None:
+    """Turn what differs from the last picture in parts (N, 4): left, top, right, bottom.
+
+    Two by two pixels share their colour, and have a brightness each.
+    """
+    half, grey, black = 1 << (BITS - 1), GREY << BITS, BLACK << BITS
+    for part in range(parts.shape[0]):
+        left, right = parts[part, 0] // 2, (parts[part, 2] + 1) // 2
+        for v in range(parts[part, 1] // 2, (parts[part, 3] + 1) // 2):
+            for u in range(left, right):
+                reds, greens, blues = 0, 0, 0
+                same = True
+                for corner in range(4):
+                    y, x = 2 * v + corner // 2, 2 * u + corner % 2
+                    same = same and pixels[y, x] == last[y, x]
+                if same:  # most is drawn again as it was
+                    continue
+                for corner in range(4):
+                    y, x = 2 * v + corner // 2, 2 * u + corner % 2
+                    last[y, x] = pixels[y, x]
+                    pixel = int(pixels[y, x])
+                    red, green, blue = (pixel >> 16) & 255, (pixel >> 8) & 255, pixel & 255
+                    bright = BRIGHT[0] * red + BRIGHT[1] * green + BRIGHT[2] * blue
+                    luma[y, x] = (bright + black + half) >> BITS
+                    reds, greens, blues = reds + red, greens + green, blues + blue
+                hue = BLUISH[0] * reds + BLUISH[1] * greens + BLUISH[2] * blues
+                blueness[v, u] = (hue + 4 * (grey + half)) >> (BITS + 2)
+                hue = REDDISH[0] * reds + REDDISH[1] * greens + REDDISH[2] * blues
+                redness[v, u] = (hue + 4 * (grey + half)) >> (BITS + 2)

@@ -13,8 +13,10 @@ from soccersim.record.recording import Recording
 from soccersim.render import look
 from soccersim.render.cut import Cut, frame_indices
 from soccersim.render.hud import Hud
+from soccersim.render.lettering import Blit
 from soccersim.render.match_hud import MatchHud
 from soccersim.render.match_play import MatchPlay
+from soccersim.render.overlay import Overlay
 from soccersim.render.pitch import View, paint_pitch
 from soccersim.render.play import Play
 from soccersim.render.story import Story
@@ -41,41 +43,59 @@ class FrameRenderer:
             self.story = Story(recording)
             self.hud = MatchHud(recording, size, self.story)
             self.play = MatchPlay(recording, self.view, scale, self.story)
-        self.surface, self.ground = (pygame.Surface(size, 0, 32) for _ in range(2))
+        self.size = size
         self.background = cache(self._background)
-        self.laid = (0, 0)  # what lies on the ground: pieces of the trails, home's goal's side
+        self.ground = Overlay(self.background(-1))  # with the trails, as far as they are complete
+        self.overlay = Overlay(self.ground.surface)
+        self.surface = self.overlay.surface
+        self.bands = Overlay(self.ground.surface, self.surface)
+        for each in (self.ground, self.overlay):
+            each.surface.set_clip(self.view.frame)
+        self.changed: list[pygame.Rect] = []  # all that may differ from the picture before
+        self.laid = (0, -1)  # what lies on the ground: pieces of the trails, home's goal's side
+        self.told: list[Blit] = []  # of the head-up display
 
     def draw(self, index: int) -> pygame.Surface:
         """The picture of one record. The next draw() paints over it: copy it to keep it."""
         index = self.records[index]
-        surface = self.surface
-        self._lay_ground(self.trails.finished(index), self._home(index))
-        surface.blit(self.ground, (0, 0))
-        surface.set_clip(self.view.frame)
-        self.trails.draw(surface, index)
-        self.play.draw(surface, index)
-        surface.set_clip(None)
-        surface.fblits(self.hud.blits(index))
-        return surface
+        overlay = self.overlay
+        laid = self._lay_ground(self.trails.finished(index), self._home(index))
+        self.changed = overlay.clear(laid)
+        self.trails.draw(overlay, index)
+        self.play.draw(overlay, index)
+        self.changed += overlay.drawn
+        self._tell(self.hud.blits(index))
+        return overlay.surface
+
+    def _tell(self, blits: list[Blit]) -> None:
+        """The head-up display, where it says something else than before."""
+        if blits == self.told:
+            return
+        self.told = blits
+        self.surface.set_clip(None)
+        self.changed += self.bands.clear()
+        self.bands.lay(blits, 0)
+        self.changed += self.bands.drawn
+        self.surface.set_clip(self.view.frame)
 
     def _home(self, index: int) -> int:
         """The sign of x at which home has its goal."""
         return -self.story.direction[self.story.decision[index]] if self.story else -1
 
-    def _lay_ground(self, pieces: int, home: int) -> None:
-        """The background with so many pieces of the trails, unless it lies there already."""
+    def _lay_ground(self, pieces: int, home: int) -> list[pygame.Rect]:
+        """So many pieces of the trails, and the goals' sides; what of the ground has changed."""
         if self.laid == (pieces, home):
-            return
-        background = self.background(home)
-        self.ground.set_clip(self.view.frame if self.laid[1] else None)  # all, the first time
+            return []
+        ground, turned = self.ground, home != self.laid[1]
         self.laid = (pieces, home)
-        self.ground.blit(background, (0, 0))
-        self.ground.set_clip(self.view.frame)
-        self.trails.lay(self.ground, pieces)
+        ground.ground = self.background(home)
+        changed = ground.clear([self.view.frame] if turned else [])
+        self.trails.lay(ground, pieces)
+        return changed + ground.drawn
 
     def _background(self, home: int) -> pygame.Surface:
         """What never changes, besides the sides' ends."""
-        background = pygame.Surface(self.surface.size, 0, 32)
+        background = pygame.Surface(self.size, 0, 32)
         background.fill(look.PAGE)
         background.blit(paint_pitch(self.field, self.view, home), self.view.frame)
         self.hud.paint(background)

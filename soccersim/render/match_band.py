@@ -40,7 +40,8 @@ class MatchBand:
         self.line = pygame.Rect(left, 0, size[0] - 2 * left, 2 * round(TALL * scale / 2))
         self.line.centery = round(self.top + SECOND * scale)
         self.bars = cache(self._bar)
-        self.strip = self._strip(recording)
+        strip = self._strip(recording)
+        self.played = cache(lambda width: strip.subsurface((0, 0, width, strip.height)))
         self.now = pygame.Surface((max(1, round(2 * scale)), self.line.height), 0, 32)
         self.now.fill(look.INK)
 
@@ -66,8 +67,7 @@ class MatchBand:
             blits.append(self.text.ending_at(right, bar.centery, text))
         reached = min(self._x(story.seconds(index)), self.line.width)
         if reached:
-            played = self.strip.subsurface((0, 0, reached, self.line.height))
-            blits.append((played, self.line.topleft))
+            blits.append((self.played(reached), self.line.topleft))
         left = self.line.left + reached - self.now.width // 2
         blits.append((self.now, (left, self.line.top)))
         return blits

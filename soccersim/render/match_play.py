@@ -2,11 +2,10 @@
 
 from math import radians
 
-import pygame
-
 from soccersim.record.recording import Recording
 from soccersim.render.arms import draw_arms
 from soccersim.render.moments import Moments
+from soccersim.render.overlay import Overlay
 from soccersim.render.pitch import View
 from soccersim.render.play import Play
 from soccersim.render.remarks import Remarks
@@ -27,13 +26,13 @@ class MatchPlay(Play):
         self.moments = Moments(recording, view, scale, story)
         self.remarks = Remarks(recording, view, scale, story)
 
-    def draw(self, surface: pygame.Surface, index: int) -> None:
+    def draw(self, overlay: Overlay, index: int) -> None:
         """One record."""
         bodies = self.recording.body[index, :, :3].tolist()
         in_play = self.story.in_play[self.story.decision[index]]
-        self.remarks.draw_below(surface, index)
-        self.moments.draw_below(surface, index, bodies)
-        self.draw_bodies(surface, index, bodies, in_play)
-        self.moments.draw_above(surface, index, bodies[len(self.players)])
-        self.remarks.draw_above(surface, index, bodies)
-        draw_arms(surface, self.view, self.recording, index)
+        self.remarks.draw_below(overlay, index)
+        self.moments.draw_below(overlay, index, bodies)
+        self.draw_bodies(overlay, index, bodies, in_play)
+        self.moments.draw_above(overlay, index, bodies[len(self.players)])
+        self.remarks.draw_above(overlay, index, bodies)
+        draw_arms(overlay, self.view, self.recording, index)

@@ -10,6 +10,7 @@ from soccersim.record.recording import Recording
 from soccersim.render import look
 from soccersim.render.canvas import Canvas
 from soccersim.render.lettering import Blit
+from soccersim.render.overlay import Overlay
 from soccersim.render.pitch import View
 from soccersim.render.story import Story
 from soccersim.touches import Kick
@@ -45,7 +46,7 @@ class Moments:
         self.flash = cache(self._flash)
         self.halo = cache(self._halo)
 
-    def draw_below(self, surface: pygame.Surface, index: int, bodies: list[Pose]) -> None:
+    def draw_below(self, overlay: Overlay, index: int, bodies: list[Pose]) -> None:
         """A halo round the robots that have the ball in their mouths; kicks."""
         contact = self.contact[self.story.decision[index]]
         blits = [
@@ -58,13 +59,13 @@ class Moments:
         for kick in self.kicks[first : bisect_right(self.ticks, tick)]:
             age = (tick - kick.tick) / hz / FLASH
             step = min(int(STEPS * age), STEPS - 1)
-            self._streak(surface, kick, step)
+            self._streak(overlay, kick, step)
             blits.append(self._at(self.flash(self.story.sides[kick.robot], step), kick.x, kick.y))
-        surface.fblits(blits, pygame.BLEND_PREMULTIPLIED)
+        overlay.lay(blits)
 
-    def draw_above(self, surface: pygame.Surface, index: int, ball: Pose) -> None:
+    def draw_above(self, overlay: Overlay, index: int, ball: Pose) -> None:
         """The ball as each team believes it; ball: as it truly is."""
-        surface.fblits(self._ghosts(index, ball), pygame.BLEND_PREMULTIPLIED)
+        overlay.lay(self._ghosts(index, ball))
 
     def _ghosts(self, index: int, ball: Pose) -> list[Blit]:
         """The believed balls that one can see to be wrong."""
@@ -79,7 +80,7 @@ class Moments:
         u, v = self.view.pixel(x, y)
         return sprite, (round(u - sprite.width / 2), round(v - sprite.height / 2))
 
-    def _streak(self, surface: pygame.Surface, kick: Kick, step: int) -> None:
+    def _streak(self, overlay: Overlay, kick: Kick, step: int) -> None:
         """A line from the kick to where it goes; the faster the ball, the longer."""
         speed = hypot(kick.vx, kick.vy)
         if speed == 0.0:
@@ -91,7 +92,7 @@ class Moments:
         end = (x + length * kick.vx / speed, y - length * kick.vy / speed)
         ink = look.tint(TEAMS[self.story.sides[kick.robot]])
         shade = look.mix(ink, look.FLOOR, step / STEPS)
-        pygame.draw.aaline(surface, shade, (x, y), end, max(2, round(3 * self.scale)))
+        overlay.line(shade, (x, y), end, max(2, round(3 * self.scale)))
 
     def _flash(self, slot: int, step: int) -> pygame.Surface:
         first, last = SPREAD

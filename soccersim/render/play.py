@@ -10,8 +10,10 @@ from soccersim.render import look
 from soccersim.render.arms import draw_arms
 from soccersim.render.cells import leg_number
 from soccersim.render.lettering import Blit, Lettering
+from soccersim.render.likeness import HUB
+from soccersim.render.overlay import Overlay
 from soccersim.render.pitch import View
-from soccersim.render.sprites import HUB, STEPS, Sprites, target_radius
+from soccersim.render.sprites import STEPS, Sprites, target_radius
 from soccersim.spec.player import Player
 from soccersim.spec.scenario import Scenario
 
@@ -46,15 +48,15 @@ class Play:
         several = sum(map(bool, self.targets)) > 1
         self.labels = [_label(player, several, scale) for player in self.players]
 
-    def draw(self, surface: pygame.Surface, index: int) -> None:
+    def draw(self, overlay: Overlay, index: int) -> None:
         """Targets below, robots on them, belief over both, the ball over all."""
-        surface.fblits(self._targets(index), pygame.BLEND_PREMULTIPLIED)
-        self.draw_bodies(surface, index, self.recording.body[index, :, :3].tolist())
-        draw_arms(surface, self.view, self.recording, index)
+        overlay.lay(self._targets(index))
+        self.draw_bodies(overlay, index, self.recording.body[index, :, :3].tolist())
+        draw_arms(overlay, self.view, self.recording, index)
 
     def draw_bodies(
         self,
-        surface: pygame.Surface,
+        overlay: Overlay,
         index: int,
         bodies: list[Pose],
         in_play: Sequence[int] | None = None,
@@ -66,12 +68,12 @@ class Play:
         for robot, (true, belief) in enumerate(zip(bodies, believed, strict=False)):
             if playing[robot] and self._differ(true, belief):
                 start, end = self.view.pixel(*true[:2]), self.view.pixel(*belief[:2])
-                pygame.draw.aaline(surface, look.BELIEVED, start, end)
+                overlay.line(look.BELIEVED, start, end)
                 ghosts.append(self._at("ghost", belief, self.looks[robot]))
-        surface.fblits(self._robots(bodies, playing), pygame.BLEND_PREMULTIPLIED)
+        overlay.lay(self._robots(bodies, playing))
         if self.recording.scenario.ball:
             ghosts.append(self._at("ball", bodies[len(self.players)]))
-        surface.fblits(ghosts, pygame.BLEND_PREMULTIPLIED)
+        overlay.lay(ghosts)
 
     def _at(self, kind: str, pose: Pose, robot: int = 0) -> Blit:
         """A sprite and its corner, for a pose of its centre."""

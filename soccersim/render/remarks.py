@@ -10,6 +10,7 @@ import pygame
 from soccersim.record.recording import Recording
 from soccersim.render import look
 from soccersim.render.lettering import Blit, Lettering
+from soccersim.render.overlay import Overlay
 from soccersim.render.pitch import View
 from soccersim.render.story import Story
 
@@ -48,18 +49,18 @@ class Remarks:
         }
         self.plate = lru_cache(WORDS)(self._plate)
 
-    def draw_below(self, surface: pygame.Surface, index: int) -> None:
+    def draw_below(self, overlay: Overlay, index: int) -> None:
         """Lines and circles, below the robots."""
         decision = self.story.decision[index]
         for slot in (0, 1):
             for note in self.notes[slot].at(decision, []):
                 if note[0] == "line":
                     ends = self.view.pixel(note[1], note[2]), self.view.pixel(note[3], note[4])
-                    pygame.draw.aaline(surface, self.inks[slot], *ends)
+                    overlay.line(self.inks[slot], *ends)
                 elif note[0] == "circle":
-                    self._circle(surface, slot, *note[1:])
+                    self._circle(overlay, slot, *note[1:])
 
-    def draw_above(self, surface: pygame.Surface, index: int, bodies: list[Any]) -> None:
+    def draw_above(self, overlay: Overlay, index: int, bodies: list[Any]) -> None:
         """Words, above the robots at `bodies`: labels where nothing else is, as far as possible."""
         decision = self.story.decision[index]
         taken: list[pygame.Rect] = []
@@ -73,7 +74,7 @@ class Remarks:
                     taken.append(rect.clamp(self.view.frame))
                     blits.append((word, taken[-1].topleft))
         blits += self._labels(decision, bodies, taken)
-        surface.fblits(blits, pygame.BLEND_PREMULTIPLIED)
+        overlay.lay(blits)
 
     def _labels(self, decision: int, bodies: list[Any], taken: list[pygame.Rect]) -> list[Blit]:
         """Each label at the first side of its robot where it hides nothing, else below it."""
@@ -103,12 +104,13 @@ class Remarks:
         tries = [rect.move(u * across, v * down).clamp(frame) for u, v in SIDES]
         return next((each for each in tries if each.collidelist(taken) < 0), tries[0])
 
-    def _circle(self, surface: pygame.Surface, slot: int, x: float, y: float, r: float) -> None:
+    def _circle(self, overlay: Overlay, slot: int, x: float, y: float, r: float) -> None:
         u, v = self.view.pixel(x, y)
         radius = abs(r) * self.view.px_per_m
         if radius < self.farthest:  # a larger one has no line in the picture that one could read
             points = [(u + radius * c, v + radius * s) for c, s in CIRCLE]
-            pygame.draw.aalines(surface, self.inks[slot], True, points)
+            for start, end in zip(points, [*points[1:], points[0]], strict=True):
+                overlay.line(self.inks[slot], start, end)
 
     def _plate(self, kind: str, slot: int, text: str) -> pygame.Surface:
         """Words on their plate."""

@@ -1,22 +1,18 @@
 """What moves on the field, seen from above: robots as they are built, the ball, the marks."""
 
 from functools import lru_cache
-from math import ceil, cos, hypot, pi, radians, sin
-from typing import NamedTuple
+from math import cos, pi, sin
 
 import pygame
 
 from soccersim.render import look
 from soccersim.render.canvas import Canvas, sector, turned
-from soccersim.spec.base import per_item
-from soccersim.spec.robot import Robot, Wheels
+from soccersim.render.likeness import NOSE, Likeness
+from soccersim.spec.robot import Robot
 
 STEPS = 240  # headings a sprite is drawn at: 1.5 degrees, under a pixel at the rim
 KEPT = 3000  # sprites kept for the next frame, a few kilobytes each
-NOSE = radians(34)  # half the angle of the white sector at a robot's front
 GHOST_NOSE = 0.66  # of the radius: where a ghost's nose begins, so as not to hide a number
-HUB = 0.46  # of the radius: the disc that carries the number
-TREAD = {"drive": 0.8, "dead": 0.6}  # thickness of a wheel beside its radius
 TARGET_RADIUS = 0.13  # m
 TARGET_LEAST = 7.0  # px
 GLOW = 9.0  # px, radius: on a large field the eye must find the ball
@@ -24,85 +20,10 @@ DIM = 100  # of 255: how strong a robot is that is out of play
 ALPHA_GHOST = (240, 55, 215)  # of its outline, its disc and its nose
 
 
-class WheelMark(NamedTuple):
-    """A wheel as drawn: body frame, metres and radians."""
-
-    x: float
-    y: float
-    direction: float  # where it rolls to
-    length: float
-    thickness: float
-    roller: float  # the angle of its rollers
-    dead: bool
-
-
-def wheel_marks(model: Robot) -> list[WheelMark]:
-    """All the wheels of a robot: the driven ones, then the dead ones."""
-    marks = _marks(model.drive, dead=False)
-    return marks + _marks(model.dead, dead=True) if model.dead else marks
-
-
-def _marks(wheels: Wheels, dead: bool) -> list[WheelMark]:
-    count = len(wheels.azimuth_deg)
-    directions = wheels.direction_deg or tuple(a + 90 for a in wheels.azimuth_deg)
-    rollers = per_item(wheels.roller_deg, count)
-    thickness = wheels.radius * TREAD["dead" if dead else "drive"]
-    return [
-        WheelMark(
-            distance * cos(radians(azimuth)),
-            distance * sin(radians(azimuth)),
-            radians(direction),
-            2 * wheels.radius,
-            thickness,
-            radians(roller),
-            dead,
-        )
-        for azimuth, distance, direction, roller in zip(
-            wheels.azimuth_deg, per_item(wheels.distance, count), directions, rollers, strict=True
-        )
-    ]
-
-
-def paint_robot(model: Robot, colour: look.Colour, px_per_m: float, heading: float) -> Canvas:
-    """A robot: shadow, body in its team's colour, white nose, hub, wheels."""
-    radius, marks = model.radius, wheel_marks(model)
-    reach = max(radius, *(hypot(m.x, m.y) + hypot(m.length, m.thickness) / 2 for m in marks))
-    canvas = _canvas(1.12 * reach, px_per_m)
-    rim = max(0.05 * radius, 1.0 / px_per_m)
-    canvas.disc((0.06 * radius, -0.09 * radius), radius, look.SHADOW)
-    canvas.disc((0, 0), radius, look.OUTLINE)
-    canvas.disc((0, 0), radius - rim, look.mix(colour, look.OUTLINE, 0.22))
-    canvas.disc((0, 0), 0.9 * (radius - rim), colour)
-    nose = sector(radius - rim, -NOSE, NOSE, HUB * radius)
-    canvas.polygon(turned(nose, heading), look.NOSE)
-    canvas.disc((0, 0), HUB * radius, look.HUB)
-    for mark in marks:
-        _paint_wheel(canvas, mark, heading)
-    return canvas
-
-
-def _paint_wheel(canvas: Canvas, mark: WheelMark, heading: float) -> None:
-    """A tyre with bevelled corners, and gaps between its rollers."""
-    long, wide = mark.length / 2, mark.thickness / 2
-    place = turned([(mark.x, mark.y)], heading)[0]
-    angle = heading + mark.direction
-    bevel = 0.35 * wide
-    quarter = [(long, wide - bevel), (long - bevel, wide)]
-    half = [*quarter, *((-x, y) for x, y in reversed(quarter))]
-    outline = [*half, *((-x, -y) for x, y in half)]
-    canvas.polygon(turned(outline, angle, place), look.DEAD_TYRE if mark.dead else look.TYRE)
-    shade = look.DEAD_ROLLER if mark.dead else look.ROLLER
-    lean = 0.7 * wide * sin(mark.roller)
-    for share in (-0.5, 0.0, 0.5):
-        x = share * mark.length * 0.9
-        start, end = turned([(x + lean, -0.7 * wide), (x - lean, 0.7 * wide)], angle, place)
-        canvas.line(start, end, 0.08 * mark.length, shade)
-
-
 def paint_ball(radius: float, px_per_m: float, heading: float) -> Canvas:
     """A white ball with dark patches, its shadow, and a glow where it is small."""
     glow = GLOW / px_per_m
-    canvas = _canvas(max(glow, 1.45 * radius), px_per_m)
+    canvas = Canvas.around(max(glow, 1.45 * radius), px_per_m)
     canvas.disc((0, 0), glow, look.GLOW)
     canvas.disc((0.2 * radius, -0.28 * radius), 1.04 * radius, look.SHADOW)
     canvas.disc((0, 0), radius, look.BALL_RIM)
@@ -119,7 +40,7 @@ def paint_ball(radius: float, px_per_m: float, heading: float) -> Canvas:
 
 def paint_ghost(radius: float, px_per_m: float, heading: float) -> Canvas:
     """Where a robot believes it is: a see-through disc with the nose of a robot."""
-    canvas = _canvas(1.1 * radius, px_per_m)
+    canvas = Canvas.around(1.1 * radius, px_per_m)
     outline, disc, nose = ((*look.BELIEVED, alpha) for alpha in ALPHA_GHOST)
     width = max(0.06 * radius, 1.6 / px_per_m)
     canvas.disc((0, 0), radius, disc)
@@ -136,7 +57,7 @@ def target_radius(px_per_m: float) -> float:
 def paint_target(px_per_m: float, heading: float) -> Canvas:
     """Where a robot shall go."""
     radius = target_radius(px_per_m)
-    canvas = _canvas(2.0 * radius, px_per_m)
+    canvas = Canvas.around(2.0 * radius, px_per_m)
     draw_target(canvas, radius, max(0.16 * radius, 1.6 / px_per_m), heading)
     return canvas
 
@@ -151,16 +72,12 @@ def draw_target(canvas: Canvas, radius: float, width: float, heading: float) -> 
     canvas.polygon(turned(arrow, heading), look.TARGET)
 
 
-def _canvas(reach: float, px_per_m: float) -> Canvas:
-    side = 2 * ceil(reach * px_per_m + 1)
-    return Canvas((side, side), px_per_m)
-
-
 class Sprites:
     """Robots, ball and marks at one scale; what was drawn once is kept, up to a bound."""
 
     def __init__(self, models: list[Robot], ball_radius: float, px_per_m: float) -> None:
         self.models = models
+        self.likenesses = [Likeness(model) for model in models]
         self.ball_radius = ball_radius
         self.px_per_m = px_per_m
         self.take = lru_cache(KEPT)(self._paint)
@@ -175,11 +92,11 @@ class Sprites:
             return paint_ball(self.ball_radius, self.px_per_m, heading).shrunk()
         if kind == "target":
             return paint_target(self.px_per_m, heading).shrunk()
-        robot = self.models[model]
         if kind == "ghost":
-            return paint_ghost(robot.radius, self.px_per_m, heading).shrunk()
+            return paint_ghost(self.models[model].radius, self.px_per_m, heading).shrunk()
         team, _, off = kind.partition(" ")
-        sprite = paint_robot(robot, look.TEAMS[team], self.px_per_m, heading).shrunk()
+        likeness = self.likenesses[model]
+        sprite = likeness.paint(look.TEAMS[team], self.px_per_m, heading).shrunk()
         if off:
             sprite.fill((DIM,) * 4, special_flags=pygame.BLEND_RGBA_MULT)
         return sprite

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from soccersim.record.recording import Recording
 from soccersim.render import look
 from soccersim.render.lettering import Blit
+from soccersim.render.overlay import Overlay
 from soccersim.render.pitch import View
 
 SAMPLES_HZ = 10  # points of a way a second; always the same records, or the trail would shimmer
@@ -106,20 +107,20 @@ class Trails:
         """How many pieces are complete at this record: lay() changes only with this number."""
         return index // self.stride // PIECE
 
-    def lay(self, ground: pygame.Surface, finished: int) -> None:
+    def lay(self, ground: Overlay, finished: int) -> None:
         """All complete pieces that are not too old."""
         oldest = finished - self.pieces
         shown = range(max(0, oldest), finished)
         levels = [(piece, (piece - oldest) * LEVELS // self.pieces) for piece in shown]
         blits = [self.faded(way, *piece) for way in range(len(self.ways)) for piece in levels]
-        ground.fblits([blit for blit in blits if blit], pygame.BLEND_PREMULTIPLIED)
+        ground.lay([blit for blit in blits if blit])
 
-    def draw(self, surface: pygame.Surface, index: int) -> None:
+    def draw(self, overlay: Overlay, index: int) -> None:
         """What came after the complete pieces, up to this record."""
         start = self.finished(index) * PIECE
         for way in self.ways:
             for stroke in way.between(start, index / self.stride):
-                pygame.draw.aaline(surface, way.colour, *stroke, round(way.width))
+                overlay.line(way.colour, *stroke, round(way.width))
 
     def _faded(self, way: int, piece: int, level: int) -> Blit | None:
         """A piece at one of the LEVELS of strength, from 0."""

@@ -1,6 +1,7 @@
 """A recording as a film: MP4 with H.264, which every player shows, an animated GIF, or a WebP."""
 
 from collections.abc import Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
 from fractions import Fraction
 from os import PathLike, fspath
 from typing import TYPE_CHECKING, Any, Protocol, cast
@@ -16,6 +17,7 @@ from soccersim.render.frames import FrameRenderer, Progress
 
 if TYPE_CHECKING:
     from av.container import OutputContainer
+    from av.packet import Packet
     from av.video.frame import VideoFrame
     from av.video.stream import VideoStream
 
@@ -36,6 +38,7 @@ class Renderer(Protocol):
     """Whatever draws pictures onto one surface."""
 
     surface: pygame.Surface
+    changed: list[pygame.Rect]  # all that may differ from the picture drawn before
 
     def draw(self, index: int) -> pygame.Surface:
         """The picture of one record."""
@@ -78,15 +81,36 @@ def write_film(
     """Encode these pictures of a renderer, one after the other."""
     av, options = _av(), FOREVER.get(kind, {})
     with av.open(fspath(path), "w", format=kind[1:], options=options) as file:
-        stream = film_stream(file, kind, renderer.surface.size, fps)
+        encoder = Encoder(file, film_stream(file, kind, renderer.surface.size, fps))
         try:
-            for number, frame in enumerate(_frames(av, kind, renderer, indices)):
+            for number, frame in enumerate(_frames(av, kind, renderer, indices, encoder)):
                 frame.pts, frame.time_base = number, Fraction(1, fps)
-                file.mux(stream.encode(frame))
+                encoder.start(frame)
                 if progress:
                     progress(number + 1, len(indices))
         finally:  # an interrupted film can be seen up to where it came
-            file.mux(stream.encode(None))
+            encoder.start(None)
+            encoder.wait()
+
+
+class Encoder:
+    """Encodes a frame in a thread of its own: meanwhile the next picture is drawn."""
+
+    def __init__(self, file: "OutputContainer", stream: "VideoStream") -> None:
+        self.file, self.stream = file, stream
+        self.thread = ThreadPoolExecutor(1)
+        self.encoding: Future[list[Packet[Any]]] | None = None
+
+    def start(self, frame: "VideoFrame | None") -> None:
+        """The next frame, which must stay as it is until wait() returns; None ends the film."""
+        self.wait()
+        self.encoding = self.thread.submit(self.stream.encode, frame)
+
+    def wait(self) -> None:
+        """Until the last frame is read, and what came of it is in the file."""
+        if self.encoding:
+            packets, self.encoding = self.encoding.result(), None
+            self.file.mux(packets)
 
 
 def film_stream(
@@ -113,26 +137,30 @@ def _av() -> Any:
     return av
 
 
-def _frames(av: Any, kind: str, renderer: Renderer, indices: list[int]) -> Iterator["VideoFrame"]:
+def _frames(
+    av: Any, kind: str, renderer: Renderer, indices: list[int], encoder: Encoder
+) -> Iterator["VideoFrame"]:
     """Each frame of the film as its encoder wants it."""
     if kind == ".mp4":
         colours = Colours(av.VideoFrame(*renderer.surface.size, "yuv420p"))
         for index in indices:
-            yield colours.follow(renderer.draw(index))
+            picture = renderer.draw(index)
+            encoder.wait()
+            yield colours.follow(picture, renderer.changed)
     elif kind == ".webp":
         for index in indices:
-            yield picture(av, renderer.draw(index))
+            yield copied(av, renderer.draw(index))
     else:
         from soccersim.render.palette import Palette
 
         step = max(1, len(indices) // SAMPLES)
-        samples = (picture(av, renderer.draw(index)) for index in indices[::step])
+        samples = (copied(av, renderer.draw(index)) for index in indices[::step])
         palette = Palette(av, renderer.surface.size, samples)
         for index in indices:
-            yield palette.turned(picture(av, renderer.draw(index)))
+            yield palette.turned(copied(av, renderer.draw(index)))
 
 
-def picture(av: Any, surface: pygame.Surface) -> "VideoFrame":
+def copied(av: Any, surface: pygame.Surface) -> "VideoFrame":
     """A copy of a surface as a frame that hides what is below: surfaces leave their fourth byte."""
     pixels = pygame.surfarray.pixels2d(surface).T | OPAQUE
     whole = pixels.astype("<u4").view("u1").reshape(surface.height, surface.width, 4)

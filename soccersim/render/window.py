@@ -13,6 +13,7 @@ from soccersim.problems import MachineError
 from soccersim.record.recording import Recording
 from soccersim.render import look
 from soccersim.render.lettering import Lettering
+from soccersim.render.overlay import Overlay
 from soccersim.render.pitch import View, paint_pitch
 from soccersim.render.play import Play
 from soccersim.spec.scenario import Scenario
@@ -82,7 +83,7 @@ class Window:
         screen.blit(self.grounds[home], self.view.frame)
         screen.set_clip(self.view.frame)
         self._ring(body[picked], self.scenario.robots[picked].model.radius)
-        self.play.draw_bodies(screen, 0, body.tolist(), playing)
+        self.play.draw_bodies(Overlay(screen, screen), 0, body.tolist(), playing)
         screen.set_clip(None)
         self._write(words)
         pygame.display.flip()

@@ -31,7 +31,7 @@ def check(scene, copies, per_second, capsys):
     """Draw all of it, so fast."""
     renderer = FrameRenderer(scene)
     indices = frame_indices(scene)
-    copy = seconds_each(lambda _: renderer.surface.blit(renderer.ground, (0, 0)), indices)
+    copy = seconds_each(lambda _: renderer.surface.blit(renderer.ground.surface, (0, 0)), indices)
     frame = seconds_each(renderer.draw, indices)
     with capsys.disabled():
         print(f"\n{1 / frame:.0f} frames/s, a frame is {frame / copy:.1f} copies of the picture")

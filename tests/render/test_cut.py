@@ -118,6 +118,11 @@ def test_frames_of_a_part_have_its_size(tmp_path):
         assert first.size == SMALL
 
 
+def turned(surface, size):
+    """The whole of a surface as a frame."""
+    return Colours(av.VideoFrame(*size, "yuv420p")).follow(surface, [])
+
+
 def test_colours_are_those_of_bt709():
     """White, black, red, green and blue, as Rec. ITU-R BT.709-6, item 5 gives them in 8 bits."""
     for colour, expected in {
@@ -127,23 +132,26 @@ def test_colours_are_those_of_bt709():
         (0, 255, 0): (173, 42, 26),
         (0, 0, 255): (32, 240, 118),
     }.items():
-        frame = Colours(av.VideoFrame(32, 8, "yuv420p")).follow(painted(colour))
+        frame = turned(painted(colour), (32, 8))
         planes = [np.frombuffer(plane, np.uint8)[0] for plane in frame.planes]
         assert tuple(planes) == expected
 
 
 @pytest.mark.parametrize("size", [(1280, 854), (642, 430), (200, 960), (1000, 500)])
 def test_a_followed_picture_is_the_same_as_one_turned_as_a_whole(size):
-    renderer = FrameRenderer(kickabout(10, seconds=4), size)
-    following = Colours(av.VideoFrame(*size, "yuv420p"))
-    for index in (0, 2, 4, 100, 102):
-        followed = following.follow(renderer.draw(index))
-        fresh = Colours(av.VideoFrame(*size, "yuv420p")).follow(renderer.surface)
-        for one, other in zip(followed.planes, fresh.planes, strict=True):
-            table = [
-                np.frombuffer(p, np.uint8).reshape(p.height, -1)[:, : p.width] for p in (one, other)
-            ]
-            assert np.array_equal(*table)
+    for scene in (kickabout(10, seconds=4), match(4)):
+        renderer = FrameRenderer(scene, size)
+        following = Colours(av.VideoFrame(*size, "yuv420p"))
+        for index in (0, 2, 4, 100, 102, 3):
+            followed = following.follow(renderer.draw(index), renderer.changed)
+            for one, other in zip(
+                followed.planes, turned(renderer.surface, size).planes, strict=True
+            ):
+                table = [
+                    np.frombuffer(p, np.uint8).reshape(p.height, -1)[:, : p.width]
+                    for p in (one, other)
+                ]
+                assert np.array_equal(*table)
 
 
 @pytest.mark.parametrize("kind", ["gif", "webp"])

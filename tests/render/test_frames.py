@@ -12,8 +12,8 @@ from soccersim.render.cells import angle_text, distance_text, leg_text
 from soccersim.render.cut import Cut, frame_indices
 from soccersim.render.frames import FrameRenderer, save_frames
 from soccersim.render.hud import clock
+from soccersim.render.likeness import Likeness
 from soccersim.render.pitch import View
-from soccersim.render.sprites import paint_robot
 from soccersim.spec.field import Field
 from soccersim.spec.player import Player
 from soccersim.spec.robot import Robot
@@ -98,7 +98,7 @@ def test_whole_field_with_its_board_is_in_the_picture(on, size):
 )
 def test_robot_has_the_wheels_it_is_built_with(layout, wheels):
     robot = Robot.model_validate(model(layout))
-    sprite = paint_robot(robot, look.TEAMS["home"], px_per_m=400, heading=0.3).surface
+    sprite = Likeness(robot).paint(look.TEAMS["home"], px_per_m=400, heading=0.3).surface
     for colour, count in zip((look.TYRE, look.DEAD_TYRE), wheels, strict=True):
         tyres = pygame.mask.from_threshold(sprite, colour, (1, 1, 1, 255))
         assert len(tyres.connected_components(200)) == count
@@ -106,7 +106,7 @@ def test_robot_has_the_wheels_it_is_built_with(layout, wheels):
 
 def test_wheels_stand_at_their_azimuth_and_distance():
     robot = Robot.model_validate(model("three"))
-    canvas = paint_robot(robot, look.TEAMS["home"], px_per_m=400, heading=0.0)
+    canvas = Likeness(robot).paint(look.TEAMS["home"], px_per_m=400, heading=0.0)
     tyres = pygame.mask.from_threshold(canvas.surface, look.TYRE, (1, 1, 1, 255))
     for wheel in tyres.connected_components(200):
         x, y = wheel.centroid()
@@ -119,7 +119,7 @@ def test_wheels_stand_at_their_azimuth_and_distance():
 @pytest.mark.parametrize("radius", [0.25, 0.4])
 def test_body_has_its_radius(radius):
     robot = Robot.model_validate(model("three", radius=radius))
-    canvas = paint_robot(robot, look.TEAMS["away"], px_per_m=200, heading=0.0)
+    canvas = Likeness(robot).paint(look.TEAMS["away"], px_per_m=200, heading=0.0)
     outline = pygame.mask.from_threshold(canvas.surface, look.OUTLINE, (1, 1, 1, 255))
     box = outline.get_bounding_rects()[0]
     assert box.width / canvas.px_per_m == pytest.approx(2 * radius, abs=0.01)

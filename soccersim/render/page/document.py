@@ -4,7 +4,7 @@ from math import pi
 from typing import Any
 
 from soccersim.record.recording import Recording
-from soccersim.render import arms, look, markings, moments, pitch, sprites
+from soccersim.render import arms, likeness, look, markings, moments, pitch, sprites
 from soccersim.render.cells import MINUS, leg_number, leg_text
 from soccersim.render.page.notes import kinds, noted
 from soccersim.render.page.telling import match_events, run_events
@@ -105,8 +105,8 @@ def palette() -> Document:
         "link": css(arms.LINK),
         "link_edge": css(arms.EDGE),
         "joint": css(arms.JOINT),
-        "nose_angle": sprites.NOSE,
-        "hub_share": sprites.HUB,
+        "nose_angle": likeness.NOSE,
+        "hub_share": likeness.HUB,
         "ghost_nose": sprites.GHOST_NOSE,
         "target_radius": sprites.TARGET_RADIUS,
         "dim": sprites.DIM / 255,
@@ -122,7 +122,7 @@ def css(colour: tuple[int, ...]) -> str:
 
 def _model(model: Any) -> Document:
     """A kind of robot: its shell and its wheels as drawn."""
-    wheels = [[round(float(number), 4) for number in mark] for mark in sprites.wheel_marks(model)]
+    wheels = [[round(float(number), 4) for number in mark] for mark in likeness.wheel_marks(model)]
     return {"radius": model.radius, "wheels": wheels}
 
 
