@@ -8,10 +8,10 @@ from collections.abc import Callable
 from contextlib import suppress
 from mmap import mmap
 from pathlib import Path
-from time import perf_counter
 from typing import Any
 
 from soccersim.match.memory import MEBIBYTE, TEAM, limit_memory
+from soccersim.match.pace import Pace
 from soccersim.match.traces import keep_traces
 from soccersim.match.turn import Turn
 from soccersim.problems import InputError, MachineError
@@ -76,9 +76,9 @@ def play(request: Document, turn: Turn, folder: Path) -> Document:
     if request["isolate"] == "match":
         limit_memory(2 * TEAM + OWN)
     seats = take_seats(scenario, (home, away), request["isolate"], turn, folder)
-    start = perf_counter()
-    result = game.play(seats)
-    seconds = perf_counter() - start
+    pace = Pace(scenario.duration)
+    result = game.play(seats, pace)
+    factor = pace.factor(result.recording.duration)
     for seat in seats:
         seat.close()
     recording = result.recording
@@ -93,7 +93,7 @@ def play(request: Document, turn: Turn, folder: Path) -> Document:
         "duration": recording.duration,
         "events": match["events"],
         "faults": match["faults"],
-        "realtime_factor": recording.duration / seconds,
+        "realtime_factor": factor,
     }
 
 

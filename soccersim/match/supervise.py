@@ -57,7 +57,7 @@ class Outcome:
     duration: float  # s played
     events: list[dict[str, Any]]
     faults: list[dict[str, Any]]
-    realtime_factor: float
+    realtime_factor: float  # once all is loaded; 0: it ended before
     again: str = ""  # why it was played twice; "": it was not
 
 
