@@ -1,6 +1,7 @@
 """`soccersim tournament`."""
 
 import json
+from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -68,7 +69,8 @@ def command(
 
     A win is 3 points, a draw 1. The rating is Elo about the mean of the field, with its 95 %
     interval. Each match is kept in --results as it ends, and the same command goes on where it was
-    stopped. A team that fails forfeits that match: the table tells how often.
+    stopped. A team that fails forfeits that match: the table is whole, and tells how often, but the
+    exit code is 4, for its numbers say less of how teams play.
     """
     check_scheduler(scheduler, jobs)
     path = results_file(results, ("tournament",))
@@ -86,8 +88,12 @@ def command(
         click.echo(json.dumps(document, allow_nan=False))
     else:
         show(table, document)
+    if forfeits := Counter(fault["team"] for fault in document["faults"]):
+        each = ", ".join(f"{team} {count}" for team, count in forfeits.most_common())
+        click.echo(f"matches forfeited: {each}", err=True)
     if broken:
         click.echo(f"played twice, and came out differently: {'; '.join(broken[:SHOWN])}", err=True)
+    if forfeits or broken:
         ctx.exit(INVALID)
 
 

@@ -19,7 +19,8 @@ def tournament(verb, strategies):
 
 def test_table_cross_table_and_ratings(tournament):
     ended = tournament("old.py", "new.py", "bad.py", "--pairs", "6")
-    assert ended.code == 0
+    assert ended.code == 4
+    assert ended.lines[-1] == "matches forfeited: bad.py 24"
     lines = ended.out.splitlines()
     assert lines[0] == "3 teams, 18 pairs of friendly-match"
     order = [line.split()[1] for line in lines[1:] if line.strip()[:2] in ("1 ", "2 ", "3 ")]
@@ -35,6 +36,7 @@ def test_table_cross_table_and_ratings(tournament):
     assert all(team["error"] > 0.0 for team in document["teams"])
     assert {fault["team"] for fault in document["faults"]} == {"bad.py"}
     assert document["matches"] == {"played": 0, "found": 36}
+    assert tournament("old.py", "new.py", "--pairs", "6").code == 0
 
 
 def test_one_job_and_many_and_one_that_was_stopped_come_to_the_same(tournament, monkeypatch):
