@@ -53,7 +53,7 @@ def placed(poses: Array, z: float = 0.0) -> list[Any]:
     if poses.ndim < 3:
         return pairs
     columns = poses.shape[1]
-    return [pairs[row : row + columns] for row in range(0, len(pairs), max(columns, 1))]
+    return [pairs[row * columns : (row + 1) * columns] for row in range(len(poses))]
 
 
 def stamp(tick: int, hz: int) -> dict[str, int]:

@@ -10,7 +10,7 @@ from os import PathLike, fspath
 from typing import Any
 
 from soccersim.export import schemas
-from soccersim.export.frames import MAP, between, nanosecond, placed, ros_names, stamp
+from soccersim.export.frames import DIGITS, MAP, between, nanosecond, placed, ros_names, stamp
 from soccersim.export.happenings import happenings
 from soccersim.export.primitives import scene
 from soccersim.export.remarks import labels, notes
@@ -106,6 +106,7 @@ KINDS = {  # topic, or its end: what stands there
     "/ball": schemas.POSE_IN_FRAME,
     "/state": schemas.STATE,
     "/game": schemas.GAME,
+    "/joints": schemas.JOINTS,
     "/log": schemas.LOG,
     "/labels": schemas.SCENE,
     "/notes": schemas.SCENE,
@@ -170,6 +171,7 @@ def _piece(
     ball = recording.ball
     balls = [] if ball is None else placed(ball[part, :3], recording.scenario.ball.radius)  # type: ignore[union-attr]
     links = placed(recording.links[part].reshape(len(piece), -1, 6)[..., :3]) if arms else []
+    angles = recording.arrays["joint"][part] if arms and "joint" in recording.arrays else None
     teams, told = game(recording, part), states(recording, part)
     for row, tick in enumerate(recording.tick[part].tolist()):
         at = stamp(tick, hz)
@@ -188,6 +190,8 @@ def _piece(
         ]
         if balls:
             messages.append(("/ball", {**_in_map(at), "pose": _pose(balls[row])}))
+        if angles is not None:
+            messages.append(("/joints", {"timestamp": at, "joints": _joints(arms, angles[row])}))
         for topic, content in teams[row] if teams else ():
             pose = isinstance(content, tuple)
             more = {**_in_map(at), "pose": _pose(content)} if pose else {"timestamp": at, **content}
@@ -195,6 +199,13 @@ def _piece(
         for name, state in zip(names, told[row], strict=True):
             messages.append((f"/{name}/state", {"timestamp": at, **state}))
         yield messages
+
+
+def _joints(arms: list[str], angles: Any) -> list[dict[str, Any]]:
+    """Each arm's joints, from the base to the tip."""
+    names = [f"{arm}/joint_{number}" for arm in arms for number in (1, 2, 3)]
+    turned = (round(float(angle), DIGITS) for angle in angles.flat)
+    return [{"name": n, "position": angle} for n, angle in zip(names, turned, strict=True)]
 
 
 def _in_map(at: dict[str, int]) -> dict[str, Any]:

@@ -58,6 +58,8 @@ POSE_IN_FRAME = message("foxglove.PoseInFrame", timestamp=TIME, frame_id=TEXT, p
 POSES_IN_FRAME = message(
     "foxglove.PosesInFrame", timestamp=TIME, frame_id=TEXT, poses=several(POSE)
 )
+JOINT = message("foxglove.JointState", name=TEXT, position=NUMBER)
+JOINTS = message("foxglove.JointStates", timestamp=TIME, joints=several(JOINT))
 LEVELS = {"UNKNOWN": 0, "DEBUG": 1, "INFO": 2, "WARNING": 3, "ERROR": 4, "FATAL": 5}
 LOG = message(
     "foxglove.Log",

@@ -28,7 +28,7 @@ SEEN = (("x", "m"), ("y", "m"), ("vx", "m/s"), ("vy", "m/s"), ("age", "s"))
 OF_WHEELS = {  # array: what the column is called, and its unit
     "wheel_angle": ("angle", "rad"),
     "wheel_speed": ("speed", "rad/s"),
-    "wheel_setpoint": ("setpoint", "rad/s"),
+    "wheel_setpoint": ("set-point", "rad/s"),
     "slip": ("slip", "m/s"),
     "load": ("load", "N"),
     "counts": ("encoder", "counts"),

@@ -1,7 +1,8 @@
 """The figure of `soccersim plot`: position, heading, error, wheels and PWM over time."""
 
 import warnings
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 from io import BytesIO
 from os import PathLike, fspath
 from pathlib import Path, PurePath
@@ -28,7 +29,7 @@ DPI, WIDE, ROW = 120, 14.0, 1.75  # inches: width of the figure, height of a pan
 ABOVE, BELOW = 0.78, 0.55  # inches above, with the title, and below
 LEGEND_ROW, SIDE_ROW = 0.2, 0.2  # inches that a row of a legend takes, and a team's name
 LETTER, LINE = 0.075, 0.62  # inches, about: of a legend's letter, and of the line before it
-HALVES, WHOLE = ((0.06, 0.485), (0.565, 0.985)), (0.06, 0.985)
+HALVES, WHOLE = ((0.067, 0.485), (0.567, 0.985)), (0.067, 0.985)
 MOST_WHEELED = 3  # curves whose wheels can be told apart
 DOTS = (0, (1.2, 1.2))
 DASHES = ("-", (0, (5, 1.5)), (0, (2, 1)), (0, (6, 1.5, 1.2, 1.5)), (0, (9, 3)), DOTS)  # by wheel
@@ -54,11 +55,15 @@ def plot_kind(path: str | PathLike[str]) -> str:
 
 def save_curves(drawn: list[Curve], title: str, path: str | PathLike[str], kind: str = "") -> None:
     """Write the figure: the same bytes for the same recordings, or MachineError."""
+    save_plot(partial(curve_figure, drawn, title), path, kind)
+
+
+def save_plot(figure: Callable[[], Figure], path: str | PathLike[str], kind: str = "") -> None:
+    """Write a figure that is made in our style, by the ending or the kind."""
     kind, image = kind or plot_kind(path), BytesIO()
     with matplotlib.style.context(STYLE), warnings.catch_warnings():
         warnings.filterwarnings("ignore", "Glyph .* missing")  # names may have any
-        figure = curve_figure(drawn, title)
-        figure.savefig(image, format=kind[1:], metadata=KINDS[kind])
+        figure().savefig(image, format=kind[1:], metadata=KINDS[kind])
     try:
         Path(path).write_bytes(image.getvalue())
     except OSError as error:

@@ -18,6 +18,7 @@ LEFT_OUT = {  # arrays a recording may lack, and the group of the scenario's `re
     "wheel speeds and slip": ("wheel_speed", "wheels"),
     "set-points of wheels and PWM": ("pwm", "control"),
 }
+CARRIED = 20.0  # m/s; what is faster has been put there, as at half-time
 LONGEST = 34  # letters of a name in a legend
 
 
@@ -62,17 +63,18 @@ def curves(
     first of each, unless robots are named.
     """
     told, drawn = [], []
-    labels = _distinct([name for name, _ in recordings])
-    for label, (name, recording) in zip(labels, recordings, strict=True):
+    for label, (name, recording) in zip(labels(recordings), recordings, strict=True):
         if len(recording.tick) == 0:
             raise InputError(Problem("is empty: a team forfeited before it began", name))
+        if not recording.scenario.robots:
+            raise InputError(Problem("has no robots: arms alone are plotted by themselves", name))
         rows = _rows(name, recording, robots)
         if len(recordings) > 1 and not robots and len(rows) > 1:
             told.append(f"{name}: {len(rows)} robots; the first is shown, --robot NAME chooses")
             rows = rows[:1]
         for row in rows:
             player = recording.scenario.robots[row]
-            parts = [label] if len(recordings) > 1 else []
+            parts = [label] if label else []
             if len(rows) > 1 or len(recordings) == 1:
                 parts.append(player.name)
             drawn.append(_curve(recording, row, " ".join(parts)))
@@ -99,6 +101,9 @@ def _curve(recording: Recording, row: int, label: str) -> Curve:
     true = _unwrapped(framed(at, recording.body[:, row, :3]))
     believed = _unwrapped(framed(at, recording.estimate[:, row]))
     believed[:, 2] -= 2 * np.pi * np.round((believed[0, 2] - true[0, 2]) / (2 * np.pi))
+    steps = np.hypot(*np.diff(true[:, :2], axis=0).T) / np.diff(recording.time)
+    carried = 1 + np.flatnonzero(steps > CARRIED)
+    true[carried] = believed[carried] = np.nan  # no line leads there
     driven = len(model.drive.azimuth_deg)
     count = driven + (len(model.dead.azimuth_deg) if model.dead else 0)
     arrays = recording.arrays
@@ -114,17 +119,22 @@ def _curve(recording: Recording, row: int, label: str) -> Curve:
     )
 
 
-def _distinct(names: list[str]) -> list[str]:
-    """Each file by as little of its path as tells it from the others."""
+def labels(recordings: list[tuple[str, Recording]]) -> list[str]:
+    """Each file by as little of its path as tells it from the others; a single one by nothing."""
+    if len(recordings) == 1:
+        return [""]
+    paths = [PurePath(name).with_suffix("").parts for name, _ in recordings]
+    while len(set(paths)) > 1 and len({path[-1:] for path in paths}) == 1:
+        paths = [path[:-1] for path in paths]  # all are called recording.npz
     for parts in range(1, 9):
-        labels = ["/".join(PurePath(name).with_suffix("").parts[-parts:]) for name in names]
-        if len(set(labels)) == len(names):
+        names = ["/".join(path[-parts:]) for path in paths]
+        if len(set(names)) == len(names):
             break
     else:
-        labels = [f"{number} {label}" for number, label in enumerate(labels, 1)]
+        names = [f"{number} {name}" for number, name in enumerate(names, 1)]
     return [
-        label if len(label) <= LONGEST else "…" + shortened(label[1 - LONGEST :], LONGEST)
-        for label in labels
+        name if len(name) <= LONGEST else "…" + shortened(name[1 - LONGEST :], LONGEST)
+        for name in names
     ]
 
 

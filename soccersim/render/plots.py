@@ -13,6 +13,7 @@ from matplotlib.figure import Figure
 
 from soccersim.problems import MachineError
 from soccersim.record import Recording
+from soccersim.render.arm_plots import arm_figure
 from soccersim.render.history import draw_history
 from soccersim.render.legend import draw_kinds, draw_map, draw_robots
 from soccersim.render.plot_style import GREY, RC, ROBOTS
@@ -60,11 +61,18 @@ def save_trajectory(recording: Recording, path: str | PathLike[str]) -> None:
     image = BytesIO()
     with matplotlib.style.context(STYLE), warnings.catch_warnings():
         warnings.filterwarnings("ignore", "Glyph .* missing")  # names may have any
-        trajectory_figure(recording).savefig(image, format="png", metadata={"Software": None})
+        whole = trajectory_figure if recording.scenario.robots else arms_alone
+        whole(recording).savefig(image, format="png", metadata={"Software": None})
     try:
         Path(path).write_bytes(image.getvalue())
     except OSError as error:
         raise MachineError(f"{path}: {error.strerror or error}") from error
+
+
+def arms_alone(recording: Recording) -> Figure:
+    """Where there are no robots: what the arms did."""
+    name = f"{shortened(recording.scenario.name, 40)}, seed {recording.meta['seed']}"
+    return arm_figure([("", recording)], name)
 
 
 def _facts(recording: Recording, runs: list[Track]) -> str:

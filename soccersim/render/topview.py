@@ -104,10 +104,9 @@ def draw_paths(
 
 def ball_path(recording: Recording) -> Array:
     """(T, 2): where the ball was, in the scenario's frame; (0, 2) without a ball."""
-    robots = len(recording.scenario.robots)
-    if recording.body.shape[1] == robots:
+    if recording.ball is None:
         return np.empty((0, 2))
-    return framed(recording.scenario.coordinates, recording.body[:, robots, :2])
+    return framed(recording.scenario.coordinates, recording.ball[:, :2])
 
 
 def _draw_headings(axes: Axes, run: Track, style: Look, count: int, mirror: float) -> None:

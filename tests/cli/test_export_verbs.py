@@ -102,3 +102,14 @@ def test_a_file_that_is_no_recording_cannot_be_plotted(soccersim, tmp_path):
     (tmp_path / "a.npz").write_text("nothing")
     ended = soccersim("plot", "a.npz", "--out", "a.png")
     assert (ended.code, ended.lines) == (2, ["a.npz: is not a soccersim recording, or damaged"])
+
+
+def test_arms_without_robots_are_plotted_and_logged(soccersim, tmp_path):
+    bench = Simulation(load_scenario("arm-table2", settings=["duration=0.2"])).run()
+    bench.save("arms.npz")
+    assert soccersim("plot", "arms.npz", "--out", "a.png").code == 0
+    assert soccersim("replay", "arms.npz", "--mcap", "a.mcap", "--csv", "a.csv").code == 0
+    ended = soccersim("plot", "arms.npz", "--robot", "x", "--out", "b.png")
+    told = "arms.npz: has no robots: arms alone are plotted by themselves"
+    assert (ended.code, ended.lines) == (2, [told])
+    assert names(tmp_path) == ["a.csv", "a.mcap", "a.png", "arms.npz"]

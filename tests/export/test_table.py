@@ -45,7 +45,7 @@ def test_every_array_of_a_run_stands_in_it_bit_by_bit(everything, tmp_path):
         {
             "wheel_speed": "speed [rad/s]",
             "wheel_angle": "angle [rad]",
-            "wheel_setpoint": "setpoint [rad/s]",
+            "wheel_setpoint": "set-point [rad/s]",
             "slip": "slip [m/s]",
             "load": "load [N]",
             "counts": "encoder [counts]",

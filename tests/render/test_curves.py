@@ -78,7 +78,7 @@ def test_lines_are_the_recorded_numbers(run):
 def test_recordings_lie_over_one_another_under_the_names_of_their_files(run):
     drawn, _ = curves([("a/recording.npz", run), ("b/recording.npz", run)])
     figure = curve_figure(drawn, "two runs")
-    assert words(figure)[3:5] == ["a/recording", "b/recording"]
+    assert words(figure)[3:5] == ["a", "b"]
     assert len(panel(figure, "position error (cm)").lines) == 2
     assert len(panel(figure, "PWM (of 255)").lines) == 6
 
@@ -167,3 +167,11 @@ def test_another_ending_is_refused_in_one_line():
 def test_a_plot_that_cannot_be_written_is_named(run, tmp_path):
     with pytest.raises(MachineError, match="nowhere"):
         save_curves(curves([("r.npz", run)])[0], "", tmp_path / "nowhere" / "run.png")
+
+
+def test_no_line_leads_to_where_a_robot_is_carried():
+    recording = match(1.0)
+    recording.body[25:, 1, :2] += 6.0
+    (curve,) = curves([("m.npz", recording)], (recording.scenario.robots[1].name,))[0]
+    assert np.flatnonzero(np.isnan(curve.true[:, 0])).tolist() == [25]
+    assert np.isnan(curve.believed[25]).all()
