@@ -14,7 +14,6 @@ import warnings
 from collections.abc import Callable
 from concurrent.futures import CancelledError as Cancelled
 from concurrent.futures import Future
-from types import TracebackType
 from typing import Any, Self
 
 from soccersim.problems import InputError, MachineError, Problem, one_line
@@ -192,12 +191,7 @@ class DaskPool:
         """Do it in the client's thread, and wait for that."""
         return asyncio.run_coroutine_threadsafe(work, self._loop).result()
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self.close()
 
     def close(self) -> None:

@@ -1,7 +1,6 @@
 """Where the legs of a run are played, several at a time."""
 
 from concurrent.futures import Future, ThreadPoolExecutor
-from types import TracebackType
 from typing import Protocol, Self
 
 from soccersim.regress.ground import Ground
@@ -51,12 +50,7 @@ class LocalPool:
             raise
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self.close()
 
     def close(self) -> None:
