@@ -6,7 +6,6 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Annulus, Circle
-from numpy.typing import NDArray
 
 from soccersim.kinematics import PlanarArm
 from soccersim.reproduce.figures import (
@@ -20,8 +19,7 @@ from soccersim.reproduce.figures import (
     canvas,
     legend_below,
 )
-
-Array = NDArray[np.float64]
+from soccersim.state import Array
 
 NEAR = 0.01  # cm; an arm that misses by less is not drawn apart
 

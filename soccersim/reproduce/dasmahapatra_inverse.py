@@ -6,15 +6,13 @@ from functools import cached_property
 from math import hypot
 
 import numpy as np
-from numpy.typing import NDArray
 
 from soccersim.kinematics import PlanarArm
 from soccersim.kinematics.papers import dasmahapatra_inverse
 from soccersim.reproduce.dasmahapatra_figure import Drawn, arms
 from soccersim.reproduce.section import Cell, Section, Summary
 from soccersim.reproduce.tables import Row, table
-
-Array = NDArray[np.float64]
+from soccersim.state import Array
 
 SAME_DEG = 6e-4  # what rounding of the printed X and Y leaves in the angles
 NEAR_DEG = 0.01

@@ -8,11 +8,9 @@ physics. tests/reproduce/test_error_models.py fits each constant to its table an
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from soccersim.state import Array
 from soccersim.streams import stream
-
-Array = NDArray[np.float64]
 
 # Idris, Table 1: gyro less arc, deg
 GYRO_MEAN, GYRO_SD = 0.96, 0.76  # without row 19

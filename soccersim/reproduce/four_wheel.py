@@ -8,8 +8,9 @@ from soccersim.kinematics import OmniBase, papers
 from soccersim.reproduce import four_wheel_path
 from soccersim.reproduce.entries import Part, entries_section
 from soccersim.reproduce.lab import Lab
-from soccersim.reproduce.matrices import Array, forward, inverse
+from soccersim.reproduce.matrices import forward, inverse
 from soccersim.reproduce.section import Section
+from soccersim.state import Array
 
 RADIUS, DISTANCE = 0.05, 0.20  # m, of the robot `four-wheel`; the note prints none
 BASE = OmniBase.tangential((45, 315, 225, 135), DISTANCE, RADIUS)

@@ -2,7 +2,6 @@
 
 import numpy as np
 from matplotlib.axes import Axes
-from numpy.typing import NDArray
 
 from soccersim.record import Recording
 from soccersim.render.topview import draw_top_view
@@ -20,8 +19,7 @@ from soccersim.reproduce.samples import (
 from soccersim.reproduce.section import Cell, Section
 from soccersim.simulation import Simulation
 from soccersim.spec.load import load_scenario
-
-Array = NDArray[np.float64]
+from soccersim.state import Array
 
 SCENARIO = "four-wheel-path"
 COLUMNS = (

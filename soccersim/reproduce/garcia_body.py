@@ -8,8 +8,9 @@ from soccersim.kinematics import garcia, papers
 from soccersim.reproduce.entries import Part, entries_section
 from soccersim.reproduce.garcia_motion import DISTANCE, RADIUS
 from soccersim.reproduce.garcia_wheels import ROLLER, TWIST, WHEEL
-from soccersim.reproduce.matrices import SAME, Array, significant
+from soccersim.reproduce.matrices import SAME, significant
 from soccersim.reproduce.section import Section, Summary
+from soccersim.state import Array
 
 MOTORS = ("w_1x", "w_2x", "w_3x")
 AS_PRINTED = "recomputed: of the matrix as printed"

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Circle
-from numpy.typing import NDArray
 
 from soccersim.geometry import se2_arc
 from soccersim.kinematics import OmniBase, papers
@@ -17,8 +16,7 @@ from soccersim.reproduce.matrices import SAME, forward
 from soccersim.reproduce.section import Cell, Section
 from soccersim.simulation import Simulation
 from soccersim.spec.load import load_scenario
-
-Array = NDArray[np.float64]
+from soccersim.state import Array
 
 RADIUS, DISTANCE = 0.05, 0.18  # m, of the robot `garcia`; the paper prints none
 BASE = OmniBase.general((180, 60, -60), DISTANCE, RADIUS, directions_deg=(90, -30, -150))

@@ -6,8 +6,9 @@ from soccersim.kinematics import papers
 from soccersim.kinematics.papers import DISTANCE, MIRROR_Y, RADIUS
 from soccersim.reproduce import idris_driven, idris_motors, idris_pushed, idris_sensors
 from soccersim.reproduce.lab import Lab
-from soccersim.reproduce.matrices import Array, forward, inverse, matrix_section, rotation
+from soccersim.reproduce.matrices import forward, inverse, matrix_section, rotation
 from soccersim.reproduce.section import Section
+from soccersim.state import Array
 
 
 def sections(lab: Lab) -> Iterator[Section]:

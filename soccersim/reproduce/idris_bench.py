@@ -8,7 +8,6 @@ from collections.abc import Sequence
 from math import pi
 
 import numpy as np
-from numpy.typing import NDArray
 
 from soccersim.repeat import recorded
 from soccersim.spec.frame import Frame
@@ -16,8 +15,7 @@ from soccersim.spec.load import load_scenario
 from soccersim.spec.player import Leg, Phase, Player
 from soccersim.spec.scenario import Scenario
 from soccersim.spec.sensors import Encoder
-
-Array = NDArray[np.float64]
+from soccersim.state import Array
 
 WHEELS = ("right", "left", "back")  # the robot's order
 PULSE_CM = 0.1164  # cm a pulse: pi 10.0 / 270 rounded, as Table 5's entries show

@@ -4,7 +4,6 @@ from math import sqrt
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from soccersim.control.profile import profile_time
 from soccersim.repeat import run_seed
@@ -31,8 +30,7 @@ from soccersim.reproduce.samples import (
 from soccersim.reproduce.section import Cell, Section, Summary
 from soccersim.reproduce.tables import table
 from soccersim.spec.load import load_scenario
-
-Array = NDArray[np.float64]
+from soccersim.state import Array
 
 ENDS = ("start", "end")
 COLUMNS = (

@@ -3,7 +3,6 @@
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
 from soccersim.reproduce.figures import GREY, PHYSICS, Figure, axes, canvas, draw_band, draw_paper
 from soccersim.reproduce.idris_bench import WHEELS, motor_speeds, wheels_off_the_floor
@@ -12,8 +11,7 @@ from soccersim.reproduce.lab import Lab
 from soccersim.reproduce.samples import band_cells, held_against, inside, rounded
 from soccersim.reproduce.section import Section, Summary
 from soccersim.reproduce.tables import PaperTable, table
-
-Array = NDArray[np.float64]
+from soccersim.state import Array
 
 MOTORS = {2: "left", 3: "right", 4: "back"}  # table: the wheel it is about
 COLUMNS = (

@@ -1,11 +1,9 @@
 """What Idris' paper says about its own tables, and the rule by which it does."""
 
 import numpy as np
-from numpy.typing import NDArray
 
 from soccersim.reproduce.tables import table
-
-Array = NDArray[np.float64]
+from soccersim.state import Array
 
 RULE = "abs(measured - real) / real, a real value of 0 counted as 0"
 

@@ -3,7 +3,6 @@
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
 from soccersim.reproduce.error_models import pushed_poses
 from soccersim.reproduce.figures import (
@@ -28,8 +27,7 @@ from soccersim.reproduce.samples import (
 )
 from soccersim.reproduce.section import Cell, Section, Summary
 from soccersim.reproduce.tables import table
-
-Array = NDArray[np.float64]
+from soccersim.state import Array
 
 AXES = {"x": "cm", "y": "cm", "theta": "deg"}
 OVER = "the paper reads 2.8 % too far on both axes; a pushed wheel that skids reads too little, "

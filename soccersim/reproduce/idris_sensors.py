@@ -1,7 +1,6 @@
 """Idris, Tables 1 and 5: the gyro on an arc, the wheels on a ruler."""
 
 import numpy as np
-from numpy.typing import NDArray
 
 from soccersim.repeat import run_seed
 from soccersim.reproduce.error_models import gyro_angles
@@ -28,8 +27,7 @@ from soccersim.reproduce.lab import Lab
 from soccersim.reproduce.samples import band_cells, held_against, inside, poses, rounded
 from soccersim.reproduce.section import Section, Summary
 from soccersim.reproduce.tables import table
-
-Array = NDArray[np.float64]
+from soccersim.state import Array
 
 GYRO_COLUMNS = (
     *("real (deg)", "paper gyro (deg)", "paper error (%)"),

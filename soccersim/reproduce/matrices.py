@@ -4,12 +4,11 @@ from collections.abc import Callable, Sequence
 from math import radians
 
 import numpy as np
-from numpy.typing import NDArray
 
 from soccersim.kinematics import OmniBase
 from soccersim.reproduce.section import Cell, Section
+from soccersim.state import Array
 
-Array = NDArray[np.float64]
 Matrix = Callable[[float], Array]  # of the heading, rad
 
 SAME = 1e-9  # entries of the printed and the right matrix that differ by less are equal

@@ -8,8 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from soccersim.reproduce.section import Cell, Summary
-
-Array = NDArray[np.float64]
+from soccersim.state import Array
 
 
 def poses(runs: Sequence[dict[str, Any]], key: str, robot: int = 0) -> Array:

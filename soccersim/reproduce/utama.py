@@ -6,8 +6,9 @@ from soccersim.kinematics import papers
 from soccersim.kinematics.papers import DISTANCE, RADIUS, UTAMA_DRIVE, UTAMA_ENCODERS_EQ2
 from soccersim.reproduce import utama_runs, utama_square
 from soccersim.reproduce.lab import Lab
-from soccersim.reproduce.matrices import Array, forward, inverse, matrix_section, rotation
+from soccersim.reproduce.matrices import forward, inverse, matrix_section, rotation
 from soccersim.reproduce.section import Section
+from soccersim.state import Array
 
 SMALL_RADIUS, SMALL_DISTANCE = 0.025, 0.08  # m, the encoder wheels'
 STRIKER_DEG = 15.18  # the heading at which the striker's run ends

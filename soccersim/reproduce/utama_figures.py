@@ -3,10 +3,8 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.ticker import MultipleLocator
-from numpy.typing import NDArray
 
 from soccersim.reproduce.figures import (
     BELIEVED,
@@ -22,8 +20,8 @@ from soccersim.reproduce.figures import (
     legend_below,
 )
 from soccersim.reproduce.utama_points import Runs, points
+from soccersim.state import Array
 
-Array = NDArray[np.float64]
 Track = Mapping[str, Any]
 
 WANTED: dict[str, Any] = {"color": COMMANDED, "lw": 1.0, "ls": (0, (5, 3))}

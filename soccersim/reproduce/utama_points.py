@@ -5,7 +5,6 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from soccersim.reproduce.lab import Lab
 from soccersim.reproduce.samples import band_cells, distance, percentile, poses, rounded
@@ -13,8 +12,7 @@ from soccersim.reproduce.section import Cell
 from soccersim.reproduce.tables import table
 from soccersim.spec.load import load_scenario
 from soccersim.spec.scenario import Scenario
-
-Array = NDArray[np.float64]
+from soccersim.state import Array
 
 RUNS = ("defender", "midfielder", "striker")
 FROM_SI = (1000.0, 1000.0, -180.0 / np.pi)  # to mm and degrees clockwise

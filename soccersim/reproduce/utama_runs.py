@@ -3,7 +3,6 @@
 from collections.abc import Callable, Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
 from soccersim.reproduce.error_models import leg_errors, replay, slipped_ends
 from soccersim.reproduce.figures import Figure
@@ -25,8 +24,7 @@ from soccersim.reproduce.utama_points import (
     simulate,
     track,
 )
-
-Array = NDArray[np.float64]
+from soccersim.state import Array
 
 TITLES = {
     "defender": "Second experiment: a defender, Figure 8a",

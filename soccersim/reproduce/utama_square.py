@@ -3,7 +3,6 @@
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
 from soccersim.reproduce.error_models import slipped_ends
 from soccersim.reproduce.lab import Lab
@@ -21,8 +20,7 @@ from soccersim.reproduce.utama_points import (
     simulate,
     track,
 )
-
-Array = NDArray[np.float64]
+from soccersim.state import Array
 
 SIDE = 2000.0  # mm
 PATH = ("forward", "left", "back", "right")  # as the text on the path has it
