@@ -1,7 +1,9 @@
 """Makes tests/factory.py importable from every test, and says how many processes run them."""
 
 import os
+import sys
 
+import pytest
 from hypothesis import settings
 
 settings.register_profile("patient", deadline=None)  # gives hypothesis time to compile
@@ -13,3 +15,25 @@ def pytest_xdist_auto_num_workers(config):
     whole = config.args == config.getini("testpaths") and not config.option.keyword
     quick = config.option.markexpr == "not slow and not benchmark"
     return os.cpu_count() if whole and quick else 0
+
+
+@pytest.fixture
+def soccersim(monkeypatch, capsys):
+    """Run a command line in this process, through the real entry."""
+
+    from ended import Ended
+
+    from soccersim.cli.main import main
+
+    def run(*words):
+        monkeypatch.setattr(sys, "argv", ["soccersim", *map(str, words)])
+        monkeypatch.setattr(sys, "unraisablehook", sys.unraisablehook)  # main puts its own
+        capsys.readouterr()
+        code = 0
+        try:
+            main()
+        except SystemExit as stop:
+            code = stop.code or 0
+        return Ended(code, *capsys.readouterr())
+
+    return run

@@ -8,25 +8,6 @@ import pytest
 from ended import Ended
 
 from soccersim import Simulation, load_scenario
-from soccersim.cli.main import main
-
-
-@pytest.fixture
-def soccersim(monkeypatch, capsys):
-    """Run a command line in this process, through the real entry."""
-
-    def run(*words):
-        monkeypatch.setattr(sys, "argv", ["soccersim", *map(str, words)])
-        monkeypatch.setattr(sys, "unraisablehook", sys.unraisablehook)  # main puts its own
-        capsys.readouterr()
-        code = 0
-        try:
-            main()
-        except SystemExit as stop:
-            code = stop.code or 0
-        return Ended(code, *capsys.readouterr())
-
-    return run
 
 
 @pytest.fixture(scope="session")

@@ -1,15 +1,12 @@
 """Teams, legs and pools of quick matches."""
 
-import sys
 import textwrap
 from concurrent.futures import Future
 
 import make_believe
 import pytest
-from ended import Ended
 
 from soccersim import load_scenario
-from soccersim.cli.main import main
 from soccersim.regress.bundle import bundle
 from soccersim.regress.database import Database
 from soccersim.regress.ground import Ground
@@ -106,7 +103,7 @@ def told():
 
 
 @pytest.fixture
-def verb(tmp_path, monkeypatch, capsys):
+def verb(soccersim, tmp_path, monkeypatch):
     """Runs a command line in an empty folder; the matches are make-believe ones."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("soccersim.kernel.will_compile", lambda: False)  # it would say so
@@ -122,18 +119,7 @@ def verb(tmp_path, monkeypatch, capsys):
 
     monkeypatch.setattr(Database, "_take", hasty)
 
-    def run(*words):
-        monkeypatch.setattr(sys, "argv", ["soccersim", *map(str, words)])
-        monkeypatch.setattr(sys, "unraisablehook", sys.unraisablehook)  # main puts its own
-        capsys.readouterr()
-        code = 0
-        try:
-            main()
-        except SystemExit as stop:
-            code = stop.code or 0
-        return Ended(code, *capsys.readouterr())
-
-    return run
+    return soccersim
 
 
 @pytest.fixture

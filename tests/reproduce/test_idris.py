@@ -20,12 +20,6 @@ STEP = 600 / 270  # rpm of one pulse in 100 ms
 
 
 @pytest.fixture(scope="module")
-def lab():
-    with Lab(jobs=1, seeds=20) as lab:
-        yield lab
-
-
-@pytest.fixture(scope="module")
 def found(lab):
     return {section.key: section for section in idris.sections(lab)}
 

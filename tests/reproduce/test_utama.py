@@ -19,12 +19,6 @@ from soccersim.reproduce.utama_points import (
 
 
 @pytest.fixture(scope="module")
-def lab():
-    with Lab(jobs=1, seeds=20) as lab:
-        yield lab
-
-
-@pytest.fixture(scope="module")
 def found(lab):
     return {section.key: section for section in utama.sections(lab)}
 
