@@ -29,7 +29,9 @@ MAY_IMPORT = {  # part: what it may import besides itself and the name and versi
     **dict.fromkeys(PARTS, FOUNDATION),  # never each other
     "record": {"problems", "kernel", "spec", "state"},
     # recordings are its world; of state it takes the names of types
-    "render": {"problems", "kernel", "kinematics", "spec", "record", "bundled", "state"} | TOLD,
+    "render": {"problems", "kernel", "kinematics", "spec", "record", "bundled", "state"}
+    | {"arm_report"}
+    | TOLD,
     "export": {"problems", "spec", "record", "render"} | TOLD,
     "arm_report": {"record", "spec"},
     "report": {"record", "spec", "arm_report"},

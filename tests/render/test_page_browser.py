@@ -291,15 +291,18 @@ def test_is_as_dark_as_the_system_wants_until_somebody_chooses(opened, dark):
     assert (tab.run(ground) == page) != dark
 
 
-def test_on_a_phone_the_field_stands_upright_and_nothing_is_cut_off(opened):
-    tab = opened(width=390, height=844, touch=True, ratio=2.0)
-    assert tab.run("document.documentElement.scrollWidth") <= 390
+@pytest.mark.parametrize(("width", "height"), [(390, 844), (360, 640)])
+def test_on_a_phone_the_field_stands_upright_and_nothing_is_cut_off(opened, width, height):
+    tab = opened(width=width, height=height, touch=True, ratio=2.0)
+    assert tab.run("document.documentElement.scrollWidth") <= width
     assert tab.run("soccersim.app.picture.view.upright")
     assert tab.run("field.width / field.clientWidth") == 2
     buttons = "[...document.querySelectorAll('#transport .buttons button')]"
-    assert tab.run(f"Math.min(...{buttons}.map(b => b.getBoundingClientRect().width))") >= 30
-    assert tab.run(f"Math.max(...{buttons}.map(b => b.getBoundingClientRect().right))") <= 390
-    assert tab.run("toggles.getBoundingClientRect().top") < 844
+    assert tab.run(f"Math.min(...{buttons}.map(b => b.getBoundingClientRect().width))") >= 27
+    buttons = "[...document.querySelectorAll('#transport button')]"
+    assert tab.run(f"Math.max(...{buttons}.map(b => b.getBoundingClientRect().right))") <= width
+    assert tab.run("toggles.getBoundingClientRect().bottom") <= height
+    assert tab.run("said.scrollWidth <= said.clientWidth")
 
 
 def test_fingers_pick_zoom_and_scrub(opened, recording):
@@ -334,7 +337,11 @@ def test_run_shows_its_path_and_its_wheels(opened, pages):
     go(tab, 1.0)
     route = tab.run("soccersim.app.moment.routes[0]")
     assert np.allclose(route[1], run.legs[0][0]["target"][:2])
-    assert "wheel 6" in tab.run("numbers.innerText")
+    lines = tab.run("numbers.innerText").splitlines()
+    driven, dead = (line.split("\t") for line in lines if line[:7] in ("wheel 2", "wheel 6"))
+    counts = run.arrays["counts"][RECORD_HZ, 0, 5]
+    assert dead[2:] == ["\u2013", "\u2013", f"{counts:.0f}".replace("-", "\u2212")]
+    assert driven[4] == "\u2013"  # no encoder
     tab.run("soccersim.app.show.trails = soccersim.app.show.believed = false")
     go(tab, 0.0)
     colour = np.array(tab.run(f"{PIXEL}({route[-1]})")[:3])

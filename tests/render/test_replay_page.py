@@ -185,6 +185,18 @@ def test_run_tells_its_plan_its_legs_and_its_wheels():
     assert found["leg"][-1, 0] == run.leg[-1, 0]
 
 
+def test_run_of_arms_tells_of_their_poses_and_of_shots():
+    run = Simulation(load_scenario("keeper-arm", settings=["duration=7"])).run()
+    document, _ = told(page(run))
+    times = [event["time"] for event in document["events"] if event["kind"] == "shot"]
+    assert times == [0.0, *(shot.time for shot in run.scenario.ball.shots if shot.time < 7)]
+    run = Simulation(load_scenario("arm-table2", settings=["duration=1.5"])).run()
+    document, _ = told(page(run))
+    texts = [event["text"] for event in document["events"]]
+    assert len(texts) == sum(map(len, run.meta["arms"])) > 0
+    assert all("pose 1 held, off by" in text for text in texts)
+
+
 @pytest.mark.parametrize("name", ["keeper-arm", "positioning", "linear"])
 def test_any_scenario_makes_a_page(name):
     run = Simulation(load_scenario(name, settings=["duration=0.3"])).run()

@@ -121,9 +121,10 @@ def css(colour: tuple[int, ...]) -> str:
 
 
 def _model(model: Any) -> Document:
-    """A kind of robot: its shell and its wheels as drawn."""
+    """A kind of robot: its shell, its wheels as drawn, and whether driven and dead ones count."""
     wheels = [[round(float(number), 4) for number in mark] for mark in likeness.wheel_marks(model)]
-    return {"radius": model.radius, "wheels": wheels}
+    counted = [bool(kind and kind.encoder) for kind in (model.drive, model.dead)]
+    return {"radius": model.radius, "wheels": wheels, "counted": counted}
 
 
 def _match(recording: Recording, story: Story, shown: list[int]) -> Document:

@@ -151,13 +151,20 @@ function wheels(recording, index, row) {
   const known = keys.filter(([key]) => channels[key]);
   if (!known.length) return rows;
   const each = channels[known[0][0]].length / told.robots.length;
-  const count = told.models[told.robots[index].model].wheels.length;
-  const lines = [];
-  for (let wheel = 0; wheel < count; wheel++) {
-    const cells = known.map(([key, , unit, decimals]) => number(recording.value(key, index * each + wheel, row) * unit, decimals));
-    lines.push([`wheel ${wheel + 1}`, ...cells]);
-  }
+  const model = told.models[told.robots[index].model];
+  const lines = model.wheels.map(([, , , , , , dead], wheel) => {
+    const cells = known.map(([key, , unit, decimals]) => {
+      const there = key === "counts" ? model.counted[Number(dead)] : key === "wheel_speed" || !dead;
+      return number(there ? recording.value(key, index * each + wheel, row) * unit : NaN, decimals);
+    });
+    return [`wheel ${wheel + 1}`, ...cells];
+  });
   return [...rows, table(["", ...known.map(([, head]) => head)], lines)];
+}
+
+// Names like home-1 stay on one line.
+function unbroken(text) {
+  return text.replace(/(\w)-(\d)/g, "$1\u2011$2");
 }
 
 // The list of events, each a button that goes there.
@@ -165,7 +172,7 @@ function fillEvents(events, decimals, go) {
   const items = events.filter((event) => event.level > 0).map((event) => {
     const button = make("button", "", { type: "button", "data-level": event.level, "data-kind": event.kind, title: event.rule || "" });
     if (event.side !== null) button.dataset.team = event.side;
-    button.append(make("time", clock(event.time, decimals)), make("i"), make("span", event.text));
+    button.append(make("time", clock(event.time, decimals)), make("i"), make("span", unbroken(event.text)));
     button.addEventListener("click", () => go(event));
     const item = make("li");
     item.append(button);

@@ -113,14 +113,14 @@ class Recording {
     return { x, y, heading };
   }
 
-  // Where a body was in the last seconds, NaN where it was carried.
+  // Where a body was in the last seconds, since it was last carried.
   trail(name, column, row, seconds, jump) {
     const x = this.channels[`${name}_x`][column];
     const y = this.channels[`${name}_y`][column];
     const points = [];
     const first = Math.max(0, row - Math.round(seconds / this.dt));
     for (let i = first; i <= row; i++) {
-      if (i > first && Math.hypot(x[i] - x[i - 1], y[i] - y[i - 1]) > jump * this.dt) points.push([NaN, NaN]);
+      if (i > first && Math.hypot(x[i] - x[i - 1], y[i] - y[i - 1]) > jump * this.dt) points.length = 0;
       points.push([x[i], y[i]]);
     }
     return points;

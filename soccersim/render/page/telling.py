@@ -3,6 +3,7 @@
 from math import degrees, hypot
 from typing import Any
 
+from soccersim.arm_report import arms, shots
 from soccersim.match_report import SIDES
 from soccersim.record.recording import Recording
 from soccersim.render.cells import angle_text, distance_text
@@ -36,7 +37,7 @@ def match_events(recording: Recording, story: Story) -> list[Event]:
 
 
 def run_events(recording: Recording) -> list[Event]:
-    """How each robot's legs ended."""
+    """How each robot's legs and each arm's poses ended, and what became of shots."""
     hz, events = float(recording.meta["physics_hz"]), []
     for player, legs in zip(recording.scenario.robots, recording.legs, strict=True):
         for number, leg in enumerate(legs, 1):
@@ -44,6 +45,15 @@ def run_events(recording: Recording) -> list[Event]:
             side = int(player.team == "away")
             kind = "reached" if leg["reached"] else "missed"
             events.append(_event(leg["end_tick"] / hz, kind, text, side, leg["truth"][:2]))
+    for arm in arms(recording):
+        for number, goal in enumerate(arm["goals"], 1):
+            off = _off(goal["position_error"], degrees(goal["angle_error"]))
+            text = f"{arm['name']}: pose {number} held, off by {off}"
+            events.append(_event(goal["time"], "reached", text, None))
+    for number, shot in enumerate(shots(recording), 1):
+        end = f"into the goal of {shot['goal']}" if shot["goal"] else "no goal"
+        if shot["time"] <= recording.duration:
+            events.append(_event(shot["time"], SHOT, f"shot {number}: {end}", None))
     return sorted(events, key=lambda event: event["time"])
 
 
@@ -52,10 +62,14 @@ def _ended(leg: dict[str, Any]) -> str:
     target, truth = leg["target"], leg["truth"]
     if target is None:
         return "driven"
-    off = distance_text(hypot(truth[0] - target[0], truth[1] - target[1])).replace(" ", "\u00a0")
-    turned = angle_text((degrees(truth[2] - target[2]) + 180) % 360 - 180)
+    turned = (degrees(truth[2] - target[2]) + 180) % 360 - 180
     word = "reached" if leg["reached"] else "timed out"
-    return f"{word}, off by {off} and {turned}"
+    return f"{word}, off by {_off(hypot(truth[0] - target[0], truth[1] - target[1]), turned)}"
+
+
+def _off(distance: float, turned: float) -> str:
+    """A distance in m and an angle in degrees, in words; a number stays beside its unit."""
+    return f"{distance_text(distance)} and {angle_text(turned)}".replace(" ", "\u00a0", 1)
 
 
 def _shots(recording: Recording, story: Story) -> list[Event]:
