@@ -1,6 +1,7 @@
 """What `run`, `match` and `replay` share of films: a name after --video, and which part of it."""
 
 from collections.abc import Callable, Iterable, Iterator
+from os import PathLike
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Any
 
@@ -76,17 +77,24 @@ def film_cut(
     )
 
 
+def check_film(name: str | PathLike[str]) -> None:
+    """InputError where a film of this name cannot be written: before the work that leads to it."""
+    from soccersim.render.cut import film_kind
+    from soccersim.render.video import _av
+
+    film_kind(name)
+    _av()
+
+
 def asked_film(video: str | None, frames: bool, duration: float, **part: Any) -> "Cut":
     """The part of a run or match to come that is filmed, checked before it begins.
 
     duration: seconds that it may take. part: as of film_cut.
     """
-    from soccersim.render.cut import film_kind
-
     if any(value is not None for value in part.values()) and video is None and not frames:
         raise click.UsageError("--from, --to, --speed and --size are of --video and --frames")
     if video is not None:
-        film_kind(video)
+        check_film(video)
         if PurePath(video).name != video:
             raise click.UsageError("--video takes a name without a folder: it lies in --out")
     cut = film_cut(**part)

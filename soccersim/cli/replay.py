@@ -5,8 +5,9 @@ from typing import TYPE_CHECKING
 
 import click
 
-from soccersim.cli.film import film_cut, film_options
+from soccersim.cli.film import check_film, film_cut, film_options
 from soccersim.cli.results import Results
+from soccersim.problems import InputError, Problem
 
 if TYPE_CHECKING:
     from soccersim.record import Recording
@@ -71,20 +72,34 @@ def command(
     if not (verify or wanted):
         click.echo(described(loaded))
     if wanted:
+        check_paths(recording, wanted)
         _write_all(loaded, wanted, film_cut(start, end, speed, size), force)
     if verify:
         _verify(loaded)
 
 
+def check_paths(recording: Path, wanted: dict[str, Path]) -> None:
+    """InputError where one file would take the place of another, or of the recording."""
+    taken = {recording.resolve(): "the recording"}
+    for kind, path in wanted.items():
+        other = taken.setdefault(path.resolve(), f"--{kind}")
+        if other != f"--{kind}":
+            raise InputError(Problem(f"--{kind} would take the place of {other}", str(path)))
+
+
 def _write_all(recording: "Recording", wanted: dict[str, Path], cut: "Cut", force: bool) -> None:
     """Each file whole or not at all; nothing is begun before all that was asked for is possible."""
-    from soccersim.render.cut import film_kind, shown
+    from soccersim.render.cut import shown
 
     cut.check(recording.duration)
     if {"mcap", "csv"} & set(wanted):
         shown(recording, cut.start, cut.end)
     if "video" in wanted:
-        film_kind(wanted["video"])
+        check_film(wanted["video"])
+    if "mcap" in wanted:
+        from soccersim.export.mcap import mcap_writer
+
+        mcap_writer()
     each = [
         (kind, path, Results(path.parent, (path.name,), force)) for kind, path in wanted.items()
     ]

@@ -27,6 +27,8 @@ class Results:
         self.names = names
         self.written: list[Path] = []
         self._made: list[Path] = []
+        if not all(names):  # as Path(".") has none
+            raise InputError(Problem("is no name of a file", file=str(folder)))
         try:
             there = [name for name in names if (folder / name).exists()]
         except OSError as error:  # a name too long

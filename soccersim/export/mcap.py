@@ -37,7 +37,7 @@ def save_mcap(
 
     Times count from the beginning of the run. start and end: only what is between, in seconds.
     """
-    writer_of, hz = _writer(), int(recording.meta["physics_hz"])
+    writer_of, hz = mcap_writer(), int(recording.meta["physics_hz"])
     records = shown(recording, start, end)
     try:
         with open(path, "wb") as file:
@@ -54,7 +54,8 @@ def save_mcap(
     return count
 
 
-def _writer() -> Any:
+def mcap_writer() -> Any:
+    """The class of the mcap library that writes logs; InputError where it is not installed."""
     try:
         from mcap.writer import Writer
     except ImportError:

@@ -1,5 +1,9 @@
 """replay --video, --mcap, --csv and plot as a user meets them."""
 
+import resource
+import subprocess
+import sys
+
 import pytest
 
 from soccersim import Simulation, load_scenario
@@ -42,6 +46,10 @@ def test_all_kinds_are_written_at_once_and_named(soccersim, kept, tmp_path):
             "--from 3: from 0 to 0.4 s are recorded",
         ),
         (("--csv", "a.csv", "--to", -1), "--to -1 s must be later than --from 0 s"),
+        (("--csv", "a", "--mcap", "./a"), "a: --mcap would take the place of --csv"),
+        (("--csv", "."), ".: is no name of a file"),
+        (("--frames", ".", "--force"), ".: is no name of a file"),
+        (("--csv", "a.csv", "--from", 0.001, "--to", 0.002), "no record lies between"),
         (
             ("--csv", "a.csv", "--speed", 2),
             "soccersim replay: --speed and --size are of --video and --frames; "
@@ -58,7 +66,48 @@ def test_what_cannot_be_is_told_in_one_line_before_anything_is_written(
     soccersim, kept, tmp_path, words, told
 ):
     ended = soccersim("replay", kept, *words)
+    assert (ended.code, len(ended.lines)) == (2, 1)
+    assert ended.lines[0].startswith(told)
+    assert names(tmp_path) == []
+
+
+def test_a_recording_is_not_written_over_by_what_is_made_of_it(soccersim, kept):
+    before = kept.read_bytes()
+    ended = soccersim("replay", kept, "--csv", kept, "--force")
+    told = f"{kept}: --csv would take the place of the recording"
     assert (ended.code, ended.lines) == (2, [told])
+    assert kept.read_bytes() == before
+
+
+@pytest.mark.parametrize(("module", "extra"), [("av", "video"), ("mcap.writer", "log")])
+def test_what_is_not_installed_is_told_before_anything_is_written(
+    soccersim, kept, tmp_path, monkeypatch, module, extra
+):
+    monkeypatch.setitem(sys.modules, module, None)
+    words = ("--video", "a.gif") if extra == "video" else ("--mcap", "a.mcap")
+    ended = soccersim("replay", kept, "--html", "a.html", *words)
+    assert (ended.code, len(ended.lines)) == (2, 1)
+    assert f"pip install 'soccersim[{extra}]'" in ended.lines[0]
+    assert names(tmp_path) == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("option", "name"),
+    [("--video", "a.webp"), ("--mcap", "a.mcap"), ("--csv", "a.csv"), ("--frames", "f")],
+)
+def test_a_full_disk_is_told_in_one_line_and_leaves_nothing(kept, tmp_path, option, name):
+    words = [sys.executable, "-m", "soccersim", "replay", str(kept), option, name]
+    ended = subprocess.run(
+        words,
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (2000, 2000)),
+    )
+    assert (ended.returncode, ended.stdout) == (3, "")
+    assert ended.stderr.startswith(name)
+    assert ended.stderr.endswith(": File too large\n")
     assert names(tmp_path) == []
 
 

@@ -1,5 +1,7 @@
 """run --video and match --video: alone as ever, or before the name of a film, and a part of it."""
 
+import sys
+
 import pytest
 from PIL import Image
 
@@ -92,3 +94,11 @@ def test_a_run_that_was_over_before_its_film_began_is_kept(soccersim, tmp_path):
     assert ended.code == 0
     assert "nothing to show: it was over at 7.58 s, before --from 50" in ended.lines
     assert names(tmp_path / "r") == ["recording.npz", "report.json"]
+
+
+def test_without_pyav_nothing_is_simulated_for_a_film(soccersim, tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "av", None)
+    ended = soccersim(*LINE, "--video")
+    assert (ended.code, len(ended.lines)) == (2, 1)
+    assert "pip install 'soccersim[video]'" in ended.lines[0]
+    assert names(tmp_path) == []
