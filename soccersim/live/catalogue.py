@@ -5,6 +5,7 @@ A browser names them by the names told to it: no path of its own ever reaches th
 
 import json
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from soccersim import bundled
 from soccersim.live.free import FreePlay
@@ -13,6 +14,10 @@ from soccersim.live.messages import Open, Wrong
 from soccersim.live.play import Play
 from soccersim.spec.load import load_scenario
 from soccersim.spec.scenario import Scenario
+from soccersim.spec.yaml12 import read
+
+PAPERS = "the papers' runs"
+AUTHORS = ("Utama", "Idris et al.", "Garcia-Sillas et al.", "Dasmahapatra", "The four-wheel note")
 
 
 @dataclass
@@ -29,11 +34,11 @@ class Catalogue:
     def __post_init__(self) -> None:
         self.current = Open(do="open", scenario=self.source)
 
-    @property
-    def scenarios(self) -> list[str]:
-        """Names that may be opened."""
-        names = bundled.names("scenario")
-        return names if self.source in names else [self.source, *names]
+    @cached_property
+    def scenarios(self) -> dict[str, tuple[str, str]]:
+        """Names that may be opened, each with its group and a sentence about it."""
+        known = {name: described(name) for name in bundled.names("scenario")}
+        return known if self.source in known else {self.source: ("yours", ""), **known}
 
     @property
     def teams(self) -> list[str]:
@@ -65,6 +70,15 @@ class Catalogue:
         settings = [*teams, *(self.settings if own else ())]
         seed = message.seed if message.seed is not None else self.seed if own else None
         return play_of(load_scenario(message.scenario, seed=seed, settings=settings))
+
+
+def described(name: str) -> tuple[str, str]:
+    """The group of a bundled scenario, and its first sentence."""
+    tree = read(bundled.find("scenario", name)).value
+    told = tree if isinstance(tree, dict) else {}
+    about = str(told.get("about", "")).split(". ")[0].rstrip(".")
+    group = PAPERS if about.startswith(AUTHORS) else "matches" if "match" in told else "others"
+    return group, about
 
 
 def play_of(scenario: Scenario) -> Play:

@@ -24,6 +24,7 @@ ROBOT = (
     *("x", "y", "heading", "vx", "vy", "omega", "bx", "by", "bheading", "bvx", "bvy", "bomega"),
     *("cx", "cy", "cturn", "rx", "ry", "rheading", "tx", "ty", "theading"),
     *("gyro", "leg", "contact", "playing", "kick", "dribble", "taken"),
+    *("sx", "sy"),  # where its camera put the ball, m
 )
 WHEEL = ("counts", "read", "true", "wanted", "pwm", "slip")  # rad/s but for counts, pwm, slip m/s
 LINK = ("x", "y", "heading")
@@ -132,9 +133,10 @@ class Framer:
         rows[:, at["gyro"]], rows[:, at["leg"]] = m.readings.gyro, m.progress.leg
         rows[:, at["contact"]], rows[:, at["playing"]] = m.readings.contact, m.watch.active
         rows[:, at["kick"]], rows[:, at["dribble"]] = m.command.kick, m.command.dribble
-        rows[:, at["taken"]] = 0.0
+        rows[:, at["taken"]], rows[:, [at["sx"], at["sy"]]] = 0.0, NAN
         if isinstance(self.play, MatchPlay):
             rows[list(self.play.pilot.taken), at["taken"]] = 1.0
+            rows[:, [at["sx"], at["sy"]]] = self.play.game.sighted
         wheels = rows[:, len(ROBOT) :].reshape(self.robots, self.wheels, len(WHEEL))
         for k, values in enumerate(
             (

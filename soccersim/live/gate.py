@@ -71,7 +71,12 @@ def new_token() -> str:
 
 
 def own_name() -> str:
-    """A name of this computer for others, where it listens at all its addresses."""
+    """An address of this computer for others, where it listens at all it has; else its name."""
     import socket
 
-    return socket.gethostname()
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as way:
+        try:
+            way.connect(("192.0.2.1", 9))  # sends nothing: it asks which way the network lies
+        except OSError:
+            return socket.gethostname()
+        return str(way.getsockname()[0])

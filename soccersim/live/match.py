@@ -28,6 +28,7 @@ class LiveGame(Game):
         self.referee: Whistle = Whistle(scenario)
         self.seats, self.pilot = seats, pilot
         self.answers: list[Answer] = []
+        self.sighted = self.perception.sighted()  # (R, 2) m, field frame
         self.over = False
 
     def advance(self, ticks: int) -> None:
@@ -49,6 +50,7 @@ class LiveGame(Game):
     def _ask(self, seats: Sequence[Seat], tick: int) -> list[Answer]:
         """What both teams answer, with our orders for the robots that are taken over."""
         answers = super()._ask(seats, tick)
+        self.sighted = self.perception.sighted()
         for slot, answer in enumerate(answers):
             poses = self.simulation.machine.estimate.pose
             self.pilot.take_over(answer.orders, self.rows[slot], poses)

@@ -161,6 +161,7 @@ class Referee(Message):
         "penalty",
         "dropped_ball",
         "goal",
+        "subgoal",
         "half_time",
         "end",
         "repair",

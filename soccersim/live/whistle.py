@@ -16,7 +16,10 @@ from soccersim.referee.watch import Watch
 from soccersim.spec.scenario import Scenario
 
 BOX = "referee box"
-SIDED = ("kick_off", "free_kick", "goal_kick", "throw_in", "corner", "penalty", "goal")
+SIDED = (
+    *("kick_off", "free_kick", "goal_kick", "throw_in", "corner", "penalty"),
+    *("goal", "subgoal"),
+)
 LATER = 2**53  # a tick that nobody will see
 MOST = 20  # buttons that wait for the next decision
 
@@ -36,6 +39,8 @@ class Whistle(Referee):
             raise Wrong(f"referee: {button.call} needs a side: home or away")
         if button.call == "repair" and button.robot is None:
             raise Wrong("referee: repair needs a robot")
+        if button.call == "subgoal" and not self.score[SIDES.index(button.side or "home")]:
+            raise Wrong(f"referee: {button.side} has no goal to take back")
         if button.call == "penalty" and self.ground.mark is None:
             raise Wrong("referee: this field has no penalty mark")
         if button.call == "half_time" and self.half == 2:
@@ -55,6 +60,8 @@ class Whistle(Referee):
         elif button.call == "repair":
             row = button.robot or 0
             self.bench.take_off(row, "repair", "is called off for repair", watch)
+        elif button.call == "subgoal":
+            self._take_back(SIDES.index(button.side or "home"))
         elif button.call == "half_time":
             self._halve()
         elif button.call == "end":
@@ -73,6 +80,14 @@ class Whistle(Referee):
             self._signal()
         if self.phase in RESTARTS and not self.started:
             self._start(watch)
+
+    def _take_back(self, slot: int) -> None:
+        """A goal of this slot does not count after all; play goes on as it is."""
+        goals = [*self.score]
+        goals[slot] = max(0, goals[slot] - 1)
+        self.score = goals[0], goals[1]
+        text = f"a goal of {SIDES[slot]} is taken back, {goals[0]}:{goals[1]}"
+        self.desk.say("subgoal", BOX, text, (self.scene.x, self.scene.y), (), slot)
 
     def _halve(self) -> None:
         """The second half begins; it lasts as long as the clock says."""

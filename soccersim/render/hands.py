@@ -72,6 +72,8 @@ class Hands:
             self._press(event.key)
         elif event.type == pygame.KEYUP:
             self.held.discard(event.key)
+        elif event.type == pygame.WINDOWFOCUSLOST:
+            self.held.clear()  # of what is let go elsewhere we do not hear
         elif event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
             self.deeds.append(f"click {event.pos[0]} {event.pos[1]}")
         elif event.type == pygame.JOYDEVICEADDED:

@@ -1,23 +1,26 @@
 """The first start on a machine: the physics is compiled for half a minute, and all are told so."""
 
 import threading
-import time
 
 import browser
 import pytest
 from stations import Talk, station
 
 from soccersim.live import session as sessions
+from soccersim.live.catalogue import Catalogue
 from soccersim.live.free import FreePlay
 
 
 @pytest.fixture
 def compiled(monkeypatch):
     """Until this is set the first step is not ready, as if it were being compiled."""
+    Catalogue("training").first().advance(1)  # so that nothing is compiled in truth
     ready, step = threading.Event(), FreePlay.advance
+    ready.asked = threading.Event()
 
     def advance(play, ticks):
         if ticks:
+            ready.asked.set()
             ready.wait(30)
         step(play, ticks)
 
@@ -48,8 +51,7 @@ def test_who_speaks_while_it_compiles_is_answered_and_sees_the_field(compiled):
 
 def test_who_ends_it_while_it_compiles_does_not_wait(compiled):
     with station(moves=False) as (_, session):
-        while session.waits()[1] < 0.2:
-            time.sleep(0.01)
+        assert compiled.asked.wait(20)
         session.end()
         assert session._thread.is_alive()
         compiled.set()

@@ -1,6 +1,7 @@
 """The base station's page in a real Chromium."""
 
 import json
+import math
 import time
 
 import browser
@@ -126,6 +127,39 @@ def test_another_scenario_is_opened_and_the_line_comes_back(tab, running):
     assert "Hz" in tab.run("document.getElementById('meter').textContent")
 
 
+def test_help_comes_and_goes_by_keys(tab):
+    guide = "document.getElementById('guide').open"
+    for key in ("Escape", "?"):
+        tab.press("?", "Slash")
+        tab.wait(guide)
+        tab.press("h", "KeyH")  # for the guide: no robot halts
+        tab.press(key)
+        tab.wait(f"!{guide}")
+
+
+def test_the_papers_runs_are_found_and_say_what_they_are(tab):
+    groups = tab.run("[...document.querySelectorAll('#scenario optgroup')].map((g) => g.label)")
+    assert groups == ["the papers' runs", "matches", "others"]
+    papers = tab.run("document.querySelector('#scenario optgroup').textContent")
+    assert all(name in papers for name in ("defender", "idris-table7", "linear", "arm-table2"))
+    tab.run("""(() => {
+      const select = document.getElementById("scenario");
+      select.value = "idris-table7";
+      select.dispatchEvent(new Event("change"));
+    })()""")
+    assert "sixteen moves" in tab.run("document.getElementById('tells').textContent")
+
+
+def test_who_lost_his_token_is_told_so(chromium):
+    with station(host="0.0.0.0") as (gate, _):
+        tab = chromium.open(f"http://127.0.0.1:{gate.port}/?token={gate.token}")
+        tab.wait("window.soccersim.moment")
+        tab.run("history.replaceState(null, '', '/?token=old'); soccersim.link.socket.close()")
+        veil = "document.getElementById('veil')"
+        tab.wait(f"!{veil}.hidden && {veil}.textContent.includes('open the address as it was')")
+        tab.close()
+
+
 def test_a_telephone_has_room_for_it(running, chromium):
     tab = chromium.open(running[0].url, 390, 844, touch=True, dark=False, ratio=2)
     tab.wait("window.soccersim.moment")
@@ -148,6 +182,22 @@ def test_arms_alone_have_no_robots_to_pick(tab):
     open_in(tab, "arm-table2")
     assert tab.run("soccersim.selected") == -1
     assert tab.run("soccersim.moment.links.length") > 0
+
+
+def test_a_match_shows_what_cameras_see_and_obeys_the_referee_box(tab):
+    open_in(tab, "friendly-match")
+    tab.wait("soccersim.moment.sightings.length > 3")
+    seen = moment(tab)
+    off = [
+        math.hypot(s["x"] - seen["ball"]["x"], s["y"] - seen["ball"]["y"])
+        for s in seen["sightings"]
+    ]
+    assert min(off) < 0.3
+    press = "document.querySelectorAll('[data-call={}]')[1].click()"
+    tab.run(press.format("goal"))
+    tab.wait("soccersim.moment.score[1] === 1")
+    tab.run(press.format("subgoal"))
+    tab.wait("soccersim.moment.score[1] === 0")
 
 
 @pytest.mark.slow

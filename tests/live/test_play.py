@@ -230,6 +230,11 @@ def test_goal_repair_half_time_and_end(match):
     say(match, '{"do":"referee","call":"goal","side":"away"}')
     seconds(match, 0.1)
     assert referee.score == (0, 1)
+    say(match, '{"do":"referee","call":"subgoal","side":"away"}')
+    seconds(match, 0.1)
+    assert referee.score == (0, 0)
+    with pytest.raises(Wrong, match="no goal to take back"):
+        say(match, '{"do":"referee","call":"subgoal","side":"away"}')
     say(match, '{"do":"referee","call":"repair","robot":2}')
     seconds(match, 0.1)
     assert referee.in_play[2] == 0

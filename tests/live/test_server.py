@@ -148,6 +148,7 @@ def test_gate_knows_this_computer():
     assert all(map(is_loopback, ("127.0.0.1", "127.9.9.9", "::1", "localhost")))
     assert not any(map(is_loopback, ("0.0.0.0", "::", "192.168.1.2", "example.org", "")))
     assert Gate("::1", 5).url == "http://[::1]:5/"
+    assert "0.0.0.0" not in Gate("0.0.0.0", 5, "x").url
     assert Gate("::1", 5).refusal("/", {"Host": "[::1]:5"}, None) == ""
 
 

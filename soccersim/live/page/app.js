@@ -3,7 +3,7 @@
 const PANELS = 120; // ms between two pictures of the panels
 const TRAIL = [0, 3, 12, 30]; // s
 const DRIVING = 100; // ms between two orders while a key is held
-const SHOWN = [["believed", "believed poses"], ["trails", "trails"], ["commands", "commands"], ["plan", "targets"], ["seen", "believed ball"], ["words", "labels and notes"]];
+const SHOWN = [["believed", "believed poses"], ["trails", "trails"], ["commands", "commands"], ["plan", "targets"], ["seen", "believed ball"], ["sightings", "sightings"], ["words", "labels and notes"]];
 const CLICKS = [
   ["send", "click: the picked robot goes there; drag: it faces that way when it is there"],
   ["ball", "click: the ball lies there; drag: it rolls that way"],
@@ -26,7 +26,7 @@ const WAYS = { ArrowUp: [1, 0, 0], ArrowDown: [-1, 0, 0], ArrowLeft: [0, 1, 0], 
 
 class App {
   constructor() {
-    this.show = { believed: true, trails: true, commands: false, plan: true, seen: true, words: true };
+    this.show = { believed: true, trails: true, commands: false, plan: true, seen: true, sightings: true, words: true };
     this.trail = 12;
     this.tool = "send";
     this.selected = 0;
@@ -80,6 +80,7 @@ class App {
     byId("app").className = `live ${hello.match ? "match" : "run"}`;
     byId("box").hidden = !hello.match;
     const names = hello.match || [hello.scenario, ""];
+    document.title = `${hello.scenario} · soccersim live`;
     setText(byId("home"), names[0]);
     setText(byId("away"), names[1]);
     byId("away").hidden = !hello.match;
@@ -139,7 +140,7 @@ class App {
     if (this.following) picture.view.centre(moment.robots[this.selected].x, moment.robots[this.selected].y);
     picture.draw(moment, this.show, this.selected);
     picture.metres();
-    this.control.draw(picture.pen, moments.told.look, picture.pixel);
+    this.control.draw(picture, moments.told.look);
     if (now - this.panelled > PANELS) {
       this.panelled = now;
       this.drawPanels(moment);
@@ -159,8 +160,8 @@ class App {
     byId("follow").setAttribute("aria-pressed", Boolean(this.following));
     if (document.activeElement !== byId("speed")) byId("speed").value = moment.speed;
     const watched = moment.viewers > 1 ? ` · ${moment.viewers} watch` : "";
-    const pace = moment.paused ? "stands" : `${number(moment.factor, 2)}×`;
-    setText(byId("meter"), `${number(link.rate, 0)} Hz · ${number(link.delay, 0)} ms · ${pace}${watched}`);
+    const pace = moment.paused ? "stands" : `pace ${number(moment.factor, 2)}×`;
+    setText(byId("meter"), `${number(link.rate, 0)} Hz · delay ${number(link.delay, 0)} ms · ${pace}${watched}`);
     [...byId("badges").children].forEach((badge, i) => badge.classList.toggle("off", !moment.robots[i].inPlay));
     if (moments.told.match) showMatch(moment);
     else {

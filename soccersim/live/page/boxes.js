@@ -3,7 +3,8 @@
 const CALLS = [
   [["start", "start"], ["stop", "stop"], ["dropped_ball", "dropped ball"], ["half_time", "half-time"], ["end", "end"]],
 ];
-const SIDED = [["kick_off", "kick-off"], ["free_kick", "free kick"], ["throw_in", "throw-in"], ["goal_kick", "goal kick"], ["corner", "corner"], ["penalty", "penalty"], ["goal", "goal"]];
+const SIDED = [["kick_off", "kick-off"], ["free_kick", "free kick"], ["throw_in", "throw-in"], ["goal_kick", "goal kick"], ["corner", "corner"], ["penalty", "penalty"], ["goal", "goal"], ["subgoal", "goal back"]];
+const GROUPS = ["yours", "the papers' runs", "matches", "others"];
 const LOOPS = [
   ["position", "x and y", [["kp", 8], ["ki", 4], ["kd", 2]]],
   ["heading", "heading", [["kp", 12], ["ki", 6], ["kd", 2]]],
@@ -17,7 +18,8 @@ function fillReferee(app) {
     return row;
   });
   for (const side of ["home", "away"]) {
-    const row = make("div", "", { class: "calls", "data-side": side });
+    const row = make("div", "", { class: "calls", "data-side": side, role: "group", "aria-label": `for ${side}` });
+    row.append(make("b", side));
     for (const [call, name] of SIDED) row.append(callButton(app, call, name, { side }));
     rows.push(row);
   }
@@ -63,9 +65,16 @@ function fillGains(app) {
 // Scenarios, and teams for those that are matches.
 function fillOpener(app, hello) {
   const select = byId("scenario");
-  select.replaceChildren(...hello.scenarios.map((name) => make("option", name.split(/[\\/]/).pop(), { value: name })));
+  const groups = new Map();
+  for (const [name, [group]] of Object.entries(hello.scenarios)) {
+    if (!groups.has(group)) groups.set(group, make("optgroup", "", { label: group }));
+    groups.get(group).append(make("option", name.split(/[\\/]/).pop(), { value: name }));
+  }
+  select.replaceChildren(...GROUPS.filter((group) => groups.has(group)).map((group) => groups.get(group)));
   select.value = hello.opened;
-  setText(byId("tells"), hello.about);
+  const tell = () => setText(byId("tells"), select.value === hello.opened ? hello.about : hello.scenarios[select.value][1]);
+  select.onchange = tell;
+  tell();
   byId("teams").hidden = !hello.match;
   ["home", "away"].forEach((side, slot) => {
     const names = hello.match ? [...new Set([hello.match[slot], ...hello.teams])] : hello.teams;

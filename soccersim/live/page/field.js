@@ -73,9 +73,10 @@ class FieldControl {
     } else app.actions.go(app.selected, ...start, pixels > AIM ? Math.atan2(dy, dx) : null);
   }
 
-  // What letting go would do, in metres.
-  draw(pen, look, pixel) {
+  // What letting go would do, and in numbers.
+  draw(picture, look) {
     if (!this.press) return;
+    const { pen, pixel, view } = picture;
     const { app, press } = this;
     const { pixels, start, end, dx, dy } = this.drawn();
     if (press.robot >= 0 && pixels <= CLICK && app.tool !== "ball") return;
@@ -91,5 +92,15 @@ class FieldControl {
     trace(pen, [start, end]);
     pen.stroke();
     arrowHead(pen, ...end, Math.atan2(dy, dx), 7 * pixel);
+    const [u, v] = view.pixel(...end);
+    picture.pixels();
+    drawWords(pen, this.tells(dx, dy), u, v - 18, look.ink, 12);
+  }
+
+  tells(dx, dy) {
+    const length = Math.hypot(dx, dy);
+    const { tool } = this.app;
+    if (tool === "send") return `heading ${number(Math.atan2(dy, dx) * DEGREES, 0)}°`;
+    return tool === "ball" ? `${number(ROLL * length, 1)} m/s` : `${number(POWER * length, 0)} N`;
   }
 }

@@ -65,7 +65,11 @@ class Keys {
   down(event) {
     const { app } = this;
     if (event.ctrlKey || event.altKey || event.metaKey || !app.moment) return;
-    if (event.target.closest("input, select, dialog, textarea") && event.key !== "Escape") return;
+    if (byId("guide").open) {
+      if (["Escape", "?"].includes(event.key)) this.help();
+      return;
+    }
+    if (event.target.closest("input, select, textarea")) return;
     if (event.target.closest("button, summary") && [" ", "Enter"].includes(event.key)) return;
     const key = event.key.length > 1 ? event.key : event.key.toLowerCase();
     if (WAYS[key]) {
@@ -83,7 +87,7 @@ class Keys {
   // Whether the key does something here.
   act(event, key) {
     const { app } = this;
-    const digit = /^Digit([1-9])$/.exec(event.code);
+    const digit = /^(?:Digit|Numpad)([1-9])$/.exec(event.code);
     const click = (id) => () => byId(id).disabled || byId(id).click();
     const keys = {
       " ": click("play"),
@@ -120,7 +124,7 @@ class Keys {
 // Chips for what is shown.
 function fillToggles(app) {
   const { told } = app.moments;
-  const fits = { seen: told.match, words: told.match };
+  const fits = { seen: told.match, sightings: told.match, words: told.match };
   byId("toggles").replaceChildren(...SHOWN.filter(([what]) => fits[what] !== null).map(([what, name]) => {
     const chip = make("button", "", { type: "button" });
     const tell = () => {

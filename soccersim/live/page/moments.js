@@ -2,7 +2,7 @@
 
 const KEPT = 30; // s
 const JUMP = 10; // m/s; faster, it was carried there
-const FLASH = 0.8; // s that a kick is shown
+const SIGHTINGS = 0.5; // s for which a sighting is shown
 
 class Moments {
   constructor(hello) {
@@ -115,7 +115,7 @@ class Moments {
       routes: told.match ? [] : told.robots.map((player, i) => route(player, robots[i].target)),
       kicks: [],
       seen: told.match ? ["home", "away"].map((side) => this.seen(now, side)) : [null, null],
-      sightings: [[], []],
+      sightings: told.match ? this.sightings() : [],
       notes: this.notes,
       direction: at("direction"),
       score: [at("home"), at("away")],
@@ -130,6 +130,22 @@ class Moments {
       over: at("over") === 1,
       viewers: at("viewers"),
     };
+  }
+
+  // Where the camera of each robot has put the ball lately, the newest last.
+  sightings() {
+    const { frames } = this;
+    const found = [];
+    const now = this.time(this.now);
+    for (let k = frames.length - 1; k > 0 && now - this.time(frames[k]) < SIGHTINGS; k--) {
+      const share = 1 - (now - this.time(frames[k])) / SIGHTINGS;
+      this.told.robots.forEach((_, robot) => {
+        const [x, y] = ["sx", "sy"].map((name) => this.of(frames[k], robot, name));
+        // decisions are rarer than pictures: the same number is the same sighting
+        if (Number.isFinite(x) && x !== this.of(frames[k - 1], robot, "sx")) found.push({ x, y, robot, share });
+      });
+    }
+    return found.reverse();
   }
 
   link(frame, k) {
