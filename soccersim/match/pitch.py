@@ -1,10 +1,9 @@
 """The field and the rules' figures as a team is told them."""
 
 from soccersim.spec.field import Area
+from soccersim.spec.robot import GRAVITY
 from soccersim.spec.scenario import Scenario
 from soccersim.strategy import api
-
-GRAVITY = 9.81  # m/s2
 
 
 def team_rows(scenario: Scenario, slot: int) -> list[int]:

@@ -11,11 +11,9 @@ from soccersim.plant.traction import dry_friction
 from soccersim.spec.base import per_item
 from soccersim.spec.field import Field
 from soccersim.spec.motor import PWM_MAX, RAD_S, table_speeds
-from soccersim.spec.robot import DeadWheels, DriveWheels, Motor, Robot, Wheels
+from soccersim.spec.robot import GRAVITY, DeadWheels, DriveWheels, Motor, Robot, Wheels
 from soccersim.state import Array
 from soccersim.streams import stream
-
-GRAVITY = 9.81  # m/s2
 
 
 def wheel_sets(robot: Robot) -> list[Wheels]:
