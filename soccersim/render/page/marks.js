@@ -118,18 +118,21 @@ function drawKick(pen, look, kick, pixel) {
   pen.globalAlpha = 1;
 }
 
-// A cross where a camera has put the ball; it fades.
-function drawSighting(pen, colour, { x, y, share }, pixel) {
+// Crosses where cameras have put the ball; they fade. Those of one moment are drawn at once.
+function drawSightings(pen, colour, sightings, pixel) {
   const half = 3 * pixel;
-  pen.globalAlpha = share;
   pen.strokeStyle = colour;
   pen.lineWidth = 1.3 * pixel;
-  pen.beginPath();
-  for (const side of [1, -1]) {
-    pen.moveTo(x - half, y - side * half);
-    pen.lineTo(x + half, y + side * half);
-  }
-  pen.stroke();
+  sightings.forEach(({ x, y, share }, i) => {
+    if (!i || sightings[i - 1].share !== share) pen.beginPath();
+    for (const side of [half, -half]) {
+      pen.moveTo(x - half, y - side);
+      pen.lineTo(x + half, y + side);
+    }
+    if (sightings[i + 1] && sightings[i + 1].share === share) return;
+    pen.globalAlpha = share;
+    pen.stroke();
+  });
   pen.globalAlpha = 1;
 }
 

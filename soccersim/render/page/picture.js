@@ -145,9 +145,10 @@ class Picture {
   // Crosses, and a line to the newest of the robot that is looked at.
   drawSightings(moment, selected) {
     const { pen, pixel, stage } = this;
-    for (const sighting of moment.sightings) {
-      drawSighting(pen, this.inks[stage.robots[sighting.robot].team], sighting, pixel);
-    }
+    this.inks.forEach((ink, team) => {
+      const own = moment.sightings.filter(({ robot }) => stage.robots[robot].team === team);
+      drawSightings(pen, ink, own, pixel);
+    });
     const own = moment.sightings.filter((sighting) => sighting.robot === selected).pop();
     if (own) drawSightLine(pen, stage.look.ink, moment.robots[selected].believed, own, pixel);
   }
