@@ -78,6 +78,8 @@ def curves(
             if len(rows) > 1 or len(recordings) == 1:
                 parts.append(player.name)
             drawn.append(_curve(recording, row, " ".join(parts)))
+        if recording.scenario.arms:
+            told.append(f"{name}: its arms are left out; --csv of replay tells their joints")
         for what, (key, group) in LEFT_OUT.items():
             if key not in recording.arrays:
                 told.append(f"{name}: holds no {what}: `record` of its scenario lacks {group}")

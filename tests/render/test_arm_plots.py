@@ -52,3 +52,10 @@ def test_a_run_of_arms_alone_has_its_picture(arms, tmp_path):
 def test_arms_alone_are_not_drawn_among_robots(arms):
     with pytest.raises(InputError, match=r"^arms.npz: has no robots"):
         curves([("arms.npz", arms)])
+
+
+def test_among_robots_arms_are_left_out_and_said():
+    keeper = Simulation(load_scenario("keeper-arm", settings=["duration=0.1"])).run()
+    drawn, told = curves([("k.npz", keeper)])
+    assert [curve.label for curve in drawn] == ["keeper"]
+    assert told == ["k.npz: its arms are left out; --csv of replay tells their joints"]
