@@ -10,8 +10,8 @@ from soccersim.plant.drive import Drive
 from soccersim.plant.traction import dry_friction
 from soccersim.spec.base import per_item
 from soccersim.spec.field import Field
-from soccersim.spec.motor import PWM_MAX, RAD_S, table_speeds
-from soccersim.spec.robot import GRAVITY, DeadWheels, DriveWheels, Motor, Robot, Wheels
+from soccersim.spec.motor import PWM_MAX, RAD_S, Motor, table_speeds
+from soccersim.spec.robot import GRAVITY, DeadWheels, DriveWheels, Robot, Wheels
 from soccersim.state import Array
 from soccersim.streams import stream
 

@@ -6,7 +6,8 @@ from pydantic import Field as Key
 from pydantic import model_validator
 
 from soccersim.spec.base import Name, NonNegative, Number, Pose, Positive, Spec
-from soccersim.spec.robot import MAX_WHEELS, Robot
+from soccersim.spec.motor import MAX_WHEELS
+from soccersim.spec.robot import Robot
 from soccersim.spec.validate import Fault
 
 Pwm = Annotated[int, Key(ge=-255, le=255)]

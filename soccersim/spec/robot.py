@@ -1,7 +1,6 @@
 """A robot as its builder describes it: body, wheels, motors, sensors, control."""
 
 from functools import cached_property
-from itertools import pairwise
 from math import pi
 from typing import Annotated, Literal
 
@@ -11,17 +10,16 @@ from soccersim.kinematics import OmniBase
 from soccersim.spec.base import NonNegative, Number, Positive, Share, Spec, per_item
 from soccersim.spec.control import Control
 from soccersim.spec.handling import Dribbler, Kicker, Mouth
+from soccersim.spec.motor import MAX_WHEELS, Motor
 from soccersim.spec.sensors import Encoder, Gyro
 from soccersim.spec.validate import Fault
 
-MAX_WHEELS = 8
 FASTEST = 30.0  # m/s of a rim: what moves farther in a tick may pass through what it meets
 GRAVITY = 9.81  # m/s2
 Angles = Annotated[tuple[Number, ...], Field(strict=False, min_length=3, max_length=MAX_WHEELS)]
 Size = Annotated[float, Field(ge=0.001, le=5)]  # m, of a wheel or a robot
 Lengths = Annotated[tuple[Size, ...], Field(strict=False, max_length=MAX_WHEELS)]
 Scatter = Annotated[float, Field(ge=0, le=0.1)]  # more, and one wheel of many has no size left
-Row = Annotated[tuple[NonNegative, ...], Field(strict=False, min_length=2, max_length=256)]
 
 
 class Grip(Spec):
@@ -61,65 +59,6 @@ class Build(Spec):
     """Standard deviation of the distance from the centre."""
     motor_sd: Scatter = 0.0
     """Standard deviation of the motors' speed (driven wheels only)."""
-
-
-class PwmTable(Spec):
-    """Measured speed of the unloaded wheel at some PWM levels (Idris, Tables 2-4)."""
-
-    pwm: Row
-    """Levels, rising from 0 to 255."""
-    rpm: Annotated[tuple[Row, ...], Field(strict=False, min_length=1, max_length=MAX_WHEELS)]
-    """Speeds at these levels, from 0 up: one row for all wheels or one row a wheel.
-
-    A dead zone is a few zeros.
-    """
-
-    @model_validator(mode="after")
-    def _rises(self) -> "PwmTable":
-        if self.pwm[0] != 0 or self.pwm[-1] != 255:
-            raise Fault("must run from 0 to 255", at=("pwm",))
-        if any(b <= a for a, b in pairwise(self.pwm)):
-            raise Fault("must rise from one entry to the next", at=("pwm",))
-        for i, row in enumerate(self.rpm):
-            if len(row) != len(self.pwm):
-                raise Fault(f"needs {len(self.pwm)} entries, one per PWM level", at=("rpm", i))
-            if row[0] != 0 or row[-1] == 0 or any(b < a for a, b in pairwise(row)):
-                raise Fault("must start with 0 and nowhere fall, but rise at last", at=("rpm", i))
-        return self
-
-
-class Motor(Spec):
-    """A DC motor with its gearbox and driver, seen at the wheel. Defaults: model of Idris/Utama."""
-
-    no_load_speed_rpm: Positive = 530.0
-    """Speed at full voltage without any friction (Idris, Tables 2-4: 528.8-530.3)."""
-    stall_torque: Positive = 4.0
-    """N m at the wheel at full voltage, wheel held (estimate)."""
-    friction_torque: NonNegative = 0.05
-    """N m of dry friction in motor and gearbox (estimate)."""
-    torque_limit: Positive | None = None
-    """N m at which the driver limits the current; null: none."""
-    gear_ratio: Positive = 19.2
-    """Turns of the rotor for one of the wheel (estimate)."""
-    rotor_inertia: NonNegative = 8e-6
-    """kg m2 of the rotor, before the gearbox (estimate)."""
-    wheel_inertia: Positive = 4e-4
-    """kg m2 of the wheel itself (estimate)."""
-    at_zero: Literal["brake", "coast"] = "brake"
-    """What the driver does at PWM 0: short the motor, or let it turn freely."""
-    pwm_table: PwmTable | None = None
-    """null: the speed is proportional to the PWM."""
-
-    @property
-    def top_speed_rpm(self) -> float:
-        """The fastest that any wheel turns by itself."""
-        rows = self.pwm_table.rpm if self.pwm_table else ()
-        return max(self.no_load_speed_rpm, *(row[-1] for row in rows), 0.0)
-
-    @property
-    def inertia(self) -> float:
-        """Wheel and reflected rotor, kg m2."""
-        return self.wheel_inertia + self.gear_ratio**2 * self.rotor_inertia
 
 
 class Wheels(Spec):

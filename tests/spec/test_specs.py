@@ -11,8 +11,8 @@ from soccersim.bundled import names
 from soccersim.spec.annotations import alternatives, is_model
 from soccersim.spec.control import Control, Pid
 from soccersim.spec.field import Field
-from soccersim.spec.motor import table_speeds
-from soccersim.spec.robot import FASTEST, Build, Grip, Motor, PwmTable, Robot, Wheels
+from soccersim.spec.motor import Motor, PwmTable, table_speeds
+from soccersim.spec.robot import FASTEST, Build, Grip, Robot, Wheels
 from soccersim.spec.scenario import Scenario, Timing
 
 WHEELS: dict[str, Any] = {"azimuth_deg": (0, 120, 240), "distance": 0.2, "radius": 0.05}
