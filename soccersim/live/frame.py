@@ -38,6 +38,7 @@ class Poses:
     body: NDArray[np.float64]
     believed: NDArray[np.float64]
     playing: list[int]
+    targets: NDArray[np.float64]  # (R, 3), nan where there is none
 
 
 def poses(numbers: NDArray[np.float64], scenario: Scenario) -> Poses:
@@ -50,7 +51,7 @@ def poses(numbers: NDArray[np.float64], scenario: Scenario) -> Poses:
         body.append(numbers[len(HEAD) : len(HEAD) + 3][None])
     body.append(numbers[end:].reshape(-1, 3))
     playing = rows[:, ROBOT.index("playing")].astype(int).tolist()
-    return Poses(np.concatenate(body), rows[:, 6:9], playing)
+    return Poses(np.concatenate(body), rows[:, 6:9], playing, rows[:, 18:21])
 
 
 class Framer:

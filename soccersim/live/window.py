@@ -14,6 +14,7 @@ from soccersim.live.catalogue import Catalogue
 from soccersim.live.messages import SPEEDS, Message, Wrong
 from soccersim.live.play import Play
 from soccersim.live.session import Session
+from soccersim.problems import InputError, Problem
 from soccersim.render.hands import HELP, Hands, take_hands
 from soccersim.render.window import Window, close_screen, open_screen
 from soccersim.sheet import PHASES
@@ -137,7 +138,9 @@ class Driver:
         moment = frame.poses(numbers, scenario)
         side = -1 if head["direction"] > 0 else 1
         words = self._words(head, moment.playing)
-        self.window.show(moment.body, moment.believed, moment.playing, side, self.picked, words)
+        target = moment.targets[self.picked]
+        shown = moment.body, moment.believed, moment.playing
+        self.window.show(*shown, side, self.picked, target, words)
 
     def _words(self, head: dict[str, float], playing: list[int]) -> list[str]:
         """What stands above and below the field."""
@@ -161,14 +164,19 @@ class Driver:
 
 
 def show_window(catalogue: Catalogue, begin: Callable[[], None]) -> None:
-    """Play until the window is closed; MachineError where there is no display.
+    """Play until the window is closed.
 
-    begin is called once there is one.
+    begin is called once there is a display: MachineError where there is none. InputError where
+    there is no robot.
     """
     size = open_screen()
     try:
+        play = catalogue.first()
+        if not play.scenario.robots:
+            wrong = f"{play.scenario.name} has no robot to drive: leave out --window"
+            raise InputError(Problem(wrong))
         begin()
-        driver = Driver(catalogue, catalogue.first(), size)
+        driver = Driver(catalogue, play, size)
         driver.session.start()
         try:
             due = time.monotonic()

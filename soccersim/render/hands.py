@@ -31,8 +31,9 @@ DEEDS = {
 BUTTONS = {0: "kick", 1: "dribble", 2: "next", 7: "pause"}  # A, B, X, start
 DEAD = 0.15  # of a stick's way that counts as none
 HELP = (
-    "W A S D or arrows: drive · Q E: turn · Space: kick · Shift: dribble · Tab, 1-9: another robot"
-    " · H: back to its team · P: stop · + \u2212: speed · R: again · Esc: end"
+    "W A S D or arrows: drive · Q E: turn · click: go there · Space: kick · Shift: dribble"
+    " · Tab, 1-9: another robot · H: back to its team · P: stop · + \u2212: speed · R: again"
+    " · Esc: end"
 )
 
 

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from soccersim.problems import MachineError
 from soccersim.record.recording import Recording
 from soccersim.render import look
+from soccersim.render.arms import draw_arms
 from soccersim.render.lettering import Lettering
 from soccersim.render.overlay import Overlay
 from soccersim.render.pitch import View, paint_pitch
@@ -70,11 +71,13 @@ class Window:
         playing: Sequence[int],
         home: int,
         picked: int,
+        target: NDArray[Any],
         words: Sequence[str],
     ) -> None:
         """Draw a moment: poses (B, 3) and (R, 3), who is in play, home's goal's side.
 
-        words: above to the left, in the middle and to the right, then two lines below.
+        target: of the robot that is picked, (3,); nan where it has none. words: above to the left,
+        in the middle and to the right, then two lines below.
         """
         arrays = self.moment.arrays
         arrays["body"][0, :, :3], arrays["estimate"][0] = body, believed
@@ -83,7 +86,11 @@ class Window:
         screen.blit(self.grounds[home], self.view.frame)
         screen.set_clip(self.view.frame)
         self._ring(body[picked], self.scenario.robots[picked].model.radius)
-        self.play.draw_bodies(Overlay(screen, screen), 0, body.tolist(), playing)
+        overlay = Overlay(screen, screen)
+        if np.isfinite(target).all():
+            overlay.lay([self.play._at("target", target.tolist())])
+        self.play.draw_bodies(overlay, 0, body.tolist(), playing)
+        draw_arms(overlay, self.view, self.moment, 0)
         screen.set_clip(None)
         self._write(words)
         pygame.display.flip()

@@ -72,7 +72,10 @@ function fillOpener(app, hello) {
   }
   select.replaceChildren(...GROUPS.filter((group) => groups.has(group)).map((group) => groups.get(group)));
   select.value = hello.opened;
-  const tell = () => setText(byId("tells"), select.value === hello.opened ? hello.about : hello.scenarios[select.value][1]);
+  const tell = () => {
+    byId("tells").title = select.value === hello.opened ? hello.about : hello.scenarios[select.value][1];
+    setText(byId("tells"), byId("tells").title);
+  };
   select.onchange = tell;
   tell();
   byId("teams").hidden = !hello.match;

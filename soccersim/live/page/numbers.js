@@ -9,7 +9,9 @@ function showBattery(moments, index) {
   const [x, y, bx, by] = ["x", "y", "bx", "by"].map(of);
   const title = make("h3", player.name);
   const state = of("playing") === 0 ? "out of play" : of("taken") === 1 ? "by hand" : moments.labels[index];
-  title.append(make("span", [state, of("contact") === 1 ? "has the ball" : ""].filter(Boolean).join(", ")));
+  const dribbles = of("dribble") !== 0;
+  byId("dribble").setAttribute("aria-pressed", dribbles);
+  title.append(make("span", [state, dribbles ? "told to dribble" : "", of("contact") === 1 ? "has the ball" : ""].filter(Boolean).join(", ")));
   const pose = table(["", "true", "believes", "off by"], [
     ["x, m", number(x, 3), number(bx, 3), number(bx - x, 3)],
     ["y, m", number(y, 3), number(by, 3), number(by - y, 3)],
