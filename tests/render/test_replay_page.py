@@ -102,8 +102,10 @@ def test_each_sighting_is_told_once_and_of_several_between_two_rows_the_newest()
 
 def test_recording_that_has_no_sightings_makes_a_page(recording):
     arrays = {key: a for key, a in recording.arrays.items() if key != "ball_sighted"}
-    _, found = told(page(Recording(recording.meta, arrays)))
-    assert "sighted_x" not in found
+    nobody = arrays | {"ball_sighted": np.full((len(arrays["phase"]), 10, 2), np.nan)}
+    for kept in (arrays, nobody):
+        _, found = told(page(Recording(recording.meta, kept)))
+        assert "sighted_x" not in found
 
 
 def test_notes_are_those_of_the_recording(recording, shown):

@@ -95,7 +95,7 @@ def _add_match(
     packer.add("seen_x", seen[..., 0], BALL, order=1)
     packer.add("seen_y", seen[..., 1], BALL, order=1)
     packer.add("seen_age", seen[..., 4], AGE, order=1)
-    if "ball_sighted" in recording.arrays:
+    if np.isfinite(recording.arrays.get("ball_sighted", np.nan)).any():
         _add_sightings(packer, recording, fine, decision)
     for slot in (0, 1):
         told = noted(recording, slot, decision.tolist())

@@ -216,7 +216,9 @@ function fillSigns(told) {
     ["believed", "where a robot believes it is, where that can be told from where it is"],
     ...(told.match
       ? [["seen", "the ball as a team believes it to be; dashed: not seen for half a second"],
-         ["sighting", "where a robot's camera saw the ball in the last half second; a line to the robot that is picked"],
+         ...(told.channels.some(({ key }) => key === "sighted_x")
+           ? [["sighting", "where a robot's camera saw the ball in the last half second; a line to the robot that is picked"]]
+           : []),
          ["halo", "this robot has the ball in its mouth"]]
       : [["target", "path, target and set-point that the robot is told"]]),
   ];
