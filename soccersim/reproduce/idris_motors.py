@@ -26,7 +26,7 @@ def motors(lab: Lab) -> Iterator[Section]:
     """Tables 2 to 4."""
     levels = table("idris-table2").numbers("pwm")
     text = wheels_off_the_floor(list(levels))
-    speeds = np.array(lab.map(motor_speeds, [text] * len(lab.seeds), lab.seeds))
+    speeds = np.array(lab.each(motor_speeds, text))
     linear = lab.map(motor_speeds, [wheels_off_the_floor(list(levels), linear=True)], [0])[0][0]
     for number, wheel in MOTORS.items():
         i = WHEELS.index(wheel)

@@ -41,7 +41,7 @@ def gyro(lab: Lab) -> Section:
     paper = table("idris-table1")
     real, read = paper.numbers("real"), paper.numbers("gyro")
     text = turned_along_the_arc(list(real))
-    runs = lab.map(run_seed, [text] * len(lab.seeds), lab.seeds)
+    runs = lab.each(run_seed, text)
     physics = np.degrees(poses(runs, "odometry")[..., 2])
     fitted = gyro_angles(real, lab.seeds)
     usual = gyro_angles(real, lab.seeds, outlier_share=0.0)
@@ -127,7 +127,7 @@ def mileage(lab: Lab) -> Section:
     real = paper.numbers("real")
     measured = np.column_stack([paper.numbers(wheel) for wheel in WHEELS])
     text = rolled_along_a_ruler(list(real))
-    rolled = np.array(lab.map(mileages, [text] * len(lab.seeds), lab.seeds))  # (S, rows, wheels)
+    rolled = np.array(lab.each(mileages, text))  # (S, rows, wheels)
     alike = rolled.transpose(0, 2, 1).reshape(-1, len(real))  # the three wheels are alike
     within = inside(measured, np.repeat(alike[..., None], 3, axis=2), rounding=0.005).sum()
     rows = [

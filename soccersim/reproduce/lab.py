@@ -28,8 +28,11 @@ class Lab(ExitStack[None]):
 
     def runs(self, scenario: str, settings: Sequence[str] = ()) -> list[dict[str, Any]]:
         """The short report (seed, digest, duration, robots) of every seed, in order."""
-        document = load_scenario(scenario, settings=settings).model_dump_json()
-        return self.map(run_seed, [document] * len(self.seeds), self.seeds)
+        return self.each(run_seed, load_scenario(scenario, settings=settings).model_dump_json())
+
+    def each(self, function: Callable[[str, int], Any], text: str) -> list[Any]:
+        """function(text, seed) of every seed, in order; text is a scenario as JSON."""
+        return self.map(function, [text] * len(self.seeds), self.seeds)
 
     def map(self, function: Callable[..., Any], *arguments: Sequence[Any]) -> list[Any]:
         """function over arguments, in order; function must be importable, its results small."""
