@@ -80,10 +80,10 @@ def film_cut(
 def check_film(name: str | PathLike[str]) -> None:
     """InputError where a film of this name cannot be written: before the work that leads to it."""
     from soccersim.render.cut import film_kind
-    from soccersim.render.video import _av
+    from soccersim.render.video import pyav
 
     film_kind(name)
-    _av()
+    pyav()
 
 
 def asked_film(video: str | None, frames: bool, duration: float, **part: Any) -> "Cut":

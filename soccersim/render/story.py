@@ -137,7 +137,7 @@ class Story:
             return (
                 word,
                 slot,
-                f"last touched by number {number}" if holder >= 0 else "nobody's ball",
+                f"last touched by {number}" if holder >= 0 else "nobody's ball",
             )
         ready = "START given" if self.started[decision] else "getting ready"
         return word, None if whose < 0 else whose, ready

@@ -56,7 +56,7 @@ def save_video(
     kind: `.mp4`, `.gif` or `.webp`, instead of what the path ends in.
     """
     cut, kind = cut or Cut(), kind or film_kind(path)
-    av = _av()
+    av = pyav()
     indices = frame_indices(recording, cut)
     if recording.match and cut.end is None:
         indices += [len(recording.tick) - 1] * round(ENDS * recording.scenario.timing.frames_hz)
@@ -79,7 +79,7 @@ def write_film(
     progress: Progress | None = None,
 ) -> None:
     """Encode these pictures of a renderer, one after the other."""
-    av, options = _av(), FOREVER.get(kind, {})
+    av, options = pyav(), FOREVER.get(kind, {})
     with av.open(fspath(path), "w", format=kind[1:], options=options) as file:
         encoder = Encoder(file, film_stream(file, kind, renderer.surface.size, fps))
         try:
@@ -128,7 +128,8 @@ def film_stream(
     return stream
 
 
-def _av() -> Any:
+def pyav() -> Any:
+    """The library that encodes; InputError where it is not installed."""
     try:
         import av
     except ImportError:

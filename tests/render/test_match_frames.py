@@ -67,7 +67,7 @@ def test_phase_says_whose_restart_it_is_and_who_played_the_ball():
     assert story.state(21 * 50) == ("STOP", None, "all robots halt")
     assert story.state(int(22.5 * 50))[:2] == ("throw-in", 1)
     word, slot, about = story.state(int(7.5 * 50))
-    assert (word, slot, about) == ("in play", 0, "last touched by number 5")
+    assert (word, slot, about) == ("in play", 0, "last touched by 5")
 
 
 def test_score_cheers_for_who_has_just_scored():
