@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field
 
 import pygame
+from pygame._sdl2 import controller
 
 WAYS = {  # key: ahead, left, turning
     pygame.K_UP: (1, 0, 0),
@@ -28,7 +29,18 @@ DEEDS = {
     pygame.K_h: "release",
     pygame.K_ESCAPE: "quit",
 }
-BUTTONS = {0: "kick", 1: "dribble", 2: "next", 7: "pause"}  # A, B, X, start
+BUTTONS = {  # where they lie on an Xbox pad, whatever is printed on them
+    pygame.CONTROLLER_BUTTON_A: "kick",
+    pygame.CONTROLLER_BUTTON_B: "dribble",
+    pygame.CONTROLLER_BUTTON_X: "next",
+    pygame.CONTROLLER_BUTTON_START: "pause",
+}
+STICKS = (
+    pygame.CONTROLLER_AXIS_LEFTX,
+    pygame.CONTROLLER_AXIS_LEFTY,
+    pygame.CONTROLLER_AXIS_RIGHTX,
+)
+FULL = 32767  # of an axis
 DEAD = 0.15  # of a stick's way that counts as none
 HELP = (
     "W A S D or arrows: drive · Q E: turn · click: go there · Space: kick · Shift: dribble"
@@ -42,9 +54,9 @@ class Hands:
     """What keys and sticks say; `deeds` since the last look."""
 
     held: set[int] = field(default_factory=set)
-    sticks: list[float] = field(default_factory=lambda: [0.0] * 6)
+    sticks: list[float] = field(default_factory=lambda: [0.0] * len(STICKS))
     deeds: list[str] = field(default_factory=list)
-    pads: dict[int, object] = field(default_factory=dict)  # kept, or they fall silent
+    pads: dict[int, controller.Controller] = field(default_factory=dict)  # kept, or they are silent
 
     def look(self) -> list[str]:
         """All deeds since the last look: kick, dribble, pause, pick 3, click 100 200, ..."""
@@ -57,14 +69,10 @@ class Hands:
     def way(self) -> tuple[float, float, float]:
         """Ahead, left, turning to the left, each -1 to 1."""
         sums = [float(sum(WAYS[key][i] for key in self.held)) for i in range(3)]
-        left, ahead, _, turn = (self._stick(i) for i in range(4))
+        left, ahead, turn = (value if abs(value) > DEAD else 0.0 for value in self.sticks)
         whole = sums[0] - ahead, sums[1] - left, sums[2] - turn
         ahead, left, turn = (max(-1.0, min(1.0, part)) for part in whole)
         return ahead, left, turn
-
-    def _stick(self, axis: int) -> float:
-        value = self.sticks[axis]
-        return value if abs(value) > DEAD else 0.0
 
     def _take(self, event: pygame.event.Event) -> None:
         if event.type == pygame.QUIT:
@@ -77,15 +85,15 @@ class Hands:
             self.held.clear()  # of what is let go elsewhere we do not hear
         elif event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
             self.deeds.append(f"click {event.pos[0]} {event.pos[1]}")
-        elif event.type == pygame.JOYDEVICEADDED:
-            pad = pygame.joystick.Joystick(event.device_index)
-            self.pads[pad.get_instance_id()] = pad
-        elif event.type == pygame.JOYDEVICEREMOVED:
+        elif event.type == pygame.CONTROLLERDEVICEADDED:
+            pad = controller.Controller(event.device_index)
+            self.pads[pad.id] = pad
+        elif event.type == pygame.CONTROLLERDEVICEREMOVED:
             self.pads.pop(event.instance_id, None)
-            self.sticks = [0.0] * 6
-        elif event.type == pygame.JOYAXISMOTION and event.axis < len(self.sticks):
-            self.sticks[event.axis] = event.value
-        elif event.type == pygame.JOYBUTTONDOWN and event.button in BUTTONS:
+            self.sticks = [0.0] * len(STICKS)
+        elif event.type == pygame.CONTROLLERAXISMOTION and event.axis in STICKS:
+            self.sticks[STICKS.index(event.axis)] = event.value / FULL
+        elif event.type == pygame.CONTROLLERBUTTONDOWN and event.button in BUTTONS:
             self.deeds.append(BUTTONS[event.button])
 
     def _press(self, key: int) -> None:
@@ -99,5 +107,5 @@ class Hands:
 
 def take_hands() -> Hands:
     """Ready for keys, and for gamepads that are there or come."""
-    pygame.joystick.init()
+    controller.init()
     return Hands()

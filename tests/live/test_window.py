@@ -103,12 +103,36 @@ def test_a_click_sends_it(driver):
 
 def test_sticks_have_a_dead_middle_and_keys_add_up():
     hands = Hands()
-    hands.sticks[:] = [0.1, -0.1, 0.0, 0.0, 0.0, 0.0]
+    hands.sticks[:] = [0.1, -0.1, 0.0]
     assert hands.way == (0, 0, 0)
-    hands.sticks[:] = [-1.0, -0.5, 0.0, 1.0, 0.0, 0.0]
+    hands.sticks[:] = [-1.0, -0.5, 1.0]
     assert hands.way == (0.5, 1.0, -1.0)
     hands.held |= {pygame.K_w, pygame.K_UP}
     assert hands.way[0] == 1.0
+
+
+@pytest.mark.parametrize("driver", [("training",)], indirect=True)
+def test_a_gamepad_drives_as_docs_say(driver):
+    driver.picked = 1
+    for axis, value in ((1, -32767), (0, 0), (2, -32767), (5, 32767)):
+        move = pygame.event.Event(pygame.CONTROLLERAXISMOTION, axis=axis, value=value)
+        pygame.event.post(move)
+    until(driver, lambda: body(driver)[3] > 0.3 and body(driver)[5] > 0.3)
+    assert driver.hands.way == (1.0, 0.0, 1.0)
+    pygame.event.post(pygame.event.Event(pygame.CONTROLLERBUTTONDOWN, button=1))
+    until(driver, lambda: driver.dribbles)
+    pygame.event.post(pygame.event.Event(pygame.CONTROLLERDEVICEREMOVED, instance_id=0))
+    until(driver, lambda: driver.hands.way == (0, 0, 0) and not driver.driving)
+
+
+def test_keys_that_are_let_go_elsewhere_are_let_go():
+    hands = Hands()
+    for event in (
+        pygame.event.Event(pygame.KEYDOWN, key=pygame.K_w),
+        pygame.event.Event(pygame.WINDOWFOCUSLOST),
+    ):
+        hands._take(event)
+    assert hands.way == (0, 0, 0)
 
 
 def test_without_a_display_it_says_so(monkeypatch):
