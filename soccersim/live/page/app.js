@@ -22,6 +22,13 @@ const HELP = [
   ["H K D", "halt, kick, dribble"],
   ["F M ?", "follow, light or dark, help"],
 ];
+const SIGNS = [
+  ["believed", "where a robot believes it is"],
+  ["target", "where it is sent; a diamond: the set-point of this moment"],
+  ["seen", "in a match, the ball as a team believes it to be"],
+  ["sighting", "where a robot's camera saw the ball in the last half second"],
+  ["halo", "has the ball in its mouth"],
+];
 const WAYS = { ArrowUp: [1, 0, 0], ArrowDown: [-1, 0, 0], ArrowLeft: [0, 1, 0], ArrowRight: [0, -1, 0], q: [0, 0, 1], e: [0, 0, -1] };
 
 class App {

@@ -14,6 +14,11 @@ class Keys {
       name.append(...keys.split(" ").flatMap((each) => [make("kbd", each), " "]));
       return [name, make("dd", does)];
     }));
+    byId("signs").replaceChildren(...SIGNS.flatMap(([kind, does]) => {
+      const name = make("dt");
+      name.append(make("span", "", { class: `sign ${kind}` }));
+      return [name, make("dd", does)];
+    }));
     app.setTool("send");
   }
 
