@@ -4,7 +4,8 @@ To turn a whole picture of 1280 x 854 takes four times as long as to draw one. F
 twentieth of it changes.
 """
 
-from collections.abc import Iterable
+from collections.abc import Sequence
+from itertools import chain
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -23,6 +24,7 @@ BLACK, GREY = 16, 128
 BITS = 13  # of the weights: they are whole numbers of 1 / 2**BITS
 
 Plane = NDArray[np.uint8]
+Pairs = NDArray[np.uint64]  # two pixels side by side: the left one is the lower half
 
 
 def _weights() -> tuple[tuple[int, int, int], ...]:
@@ -44,54 +46,53 @@ class Colours:
 
     def __init__(self, frame: "VideoFrame") -> None:
         self.frame = frame
-        self.last: NDArray[np.uint32] | None = None
+        self.last: Pairs | None = None
         self.planes: list[Plane] = [
             np.frombuffer(memoryview(plane), np.uint8).reshape(plane.height, -1)
             for plane in frame.planes
         ]
 
-    def follow(self, surface: pygame.Surface, changed: Iterable[pygame.Rect]) -> "VideoFrame":
+    def follow(self, surface: pygame.Surface, changed: Sequence[pygame.Rect]) -> "VideoFrame":
         """The frame with this picture in it; changed: all that may differ from the last one."""
-        pixels = np.ascontiguousarray(pygame.surfarray.pixels2d(surface).T, np.uint32)
+        pixels = np.ascontiguousarray(pygame.surfarray.pixels2d(surface).T, "<u4")
+        pairs = pixels.view("<u8")
         if self.last is None:
-            self.last, changed = ~pixels, [surface.get_rect()]
-        parts = [(rect.left, rect.top, rect.right, rect.bottom) for rect in changed]
-        turn(pixels, self.last, np.array(parts, np.int64).reshape(-1, 4), *self.planes)
+            self.last, changed = ~pairs, [surface.get_rect()]
+        parts = np.fromiter(chain.from_iterable(changed), np.int64, 4 * len(changed))
+        turn(pairs, self.last, parts.reshape(-1, 4), *self.planes)
         return self.frame
 
 
 @kernel
 def turn(
-    pixels: NDArray[np.uint32],
-    last: NDArray[np.uint32],
+    pairs: Pairs,
+    last: Pairs,
     parts: NDArray[np.int64],
     luma: Plane,
     blueness: Plane,
     redness: Plane,
 ) -> None:
-    """Turn what differs from the last picture in parts (N, 4): left, top, right, bottom.
+    """Turn what differs from the last picture in parts (N, 4): left, top, width, height.
 
     Two by two pixels share their colour, and have a brightness each.
     """
     half, grey, black = 1 << (BITS - 1), GREY << BITS, BLACK << BITS
     for part in range(parts.shape[0]):
-        left, right = parts[part, 0] // 2, (parts[part, 2] + 1) // 2
-        for v in range(parts[part, 1] // 2, (parts[part, 3] + 1) // 2):
-            for u in range(left, right):
+        left, top = parts[part, 0], parts[part, 1]
+        right, bottom = left + parts[part, 2], top + parts[part, 3]
+        for v in range(top // 2, (bottom + 1) // 2):
+            for u in range(left // 2, (right + 1) // 2):
+                upper, lower = pairs[2 * v, u], pairs[2 * v + 1, u]
+                if upper == last[2 * v, u] and lower == last[2 * v + 1, u]:
+                    continue  # most is drawn again as it was
+                last[2 * v, u], last[2 * v + 1, u] = upper, lower
                 reds, greens, blues = 0, 0, 0
-                same = True
                 for corner in range(4):
-                    y, x = 2 * v + corner // 2, 2 * u + corner % 2
-                    same = same and pixels[y, x] == last[y, x]
-                if same:  # most is drawn again as it was
-                    continue
-                for corner in range(4):
-                    y, x = 2 * v + corner // 2, 2 * u + corner % 2
-                    last[y, x] = pixels[y, x]
-                    pixel = int(pixels[y, x])
+                    pair = int(upper if corner < 2 else lower)
+                    pixel = pair >> 32 if corner % 2 else pair
                     red, green, blue = (pixel >> 16) & 255, (pixel >> 8) & 255, pixel & 255
                     bright = BRIGHT[0] * red + BRIGHT[1] * green + BRIGHT[2] * blue
-                    luma[y, x] = (bright + black + half) >> BITS
+                    luma[2 * v + corner // 2, 2 * u + corner % 2] = (bright + black + half) >> BITS
                     reds, greens, blues = reds + red, greens + green, blues + blue
                 hue = BLUISH[0] * reds + BLUISH[1] * greens + BLUISH[2] * blues
                 blueness[v, u] = (hue + 4 * (grey + half)) >> (BITS + 2)

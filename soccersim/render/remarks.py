@@ -2,6 +2,7 @@
 
 from bisect import bisect_right
 from functools import lru_cache
+from itertools import chain
 from math import cos, hypot, pi, sin
 from typing import Any
 
@@ -101,16 +102,16 @@ class Remarks:
         """Below the robot, above, beside, or farther off, where nothing else is."""
         frame, rect = self.view.frame, word.get_rect(center=place)
         down, across = far + rect.height / 2, far + rect.width / 2
-        tries = [rect.move(u * across, v * down).clamp(frame) for u, v in SIDES]
-        return next((each for each in tries if each.collidelist(taken) < 0), tries[0])
+        tries = (rect.move(u * across, v * down).clamp(frame) for u, v in SIDES)
+        first = next(tries)
+        return next((each for each in chain((first,), tries) if each.collidelist(taken) < 0), first)
 
     def _circle(self, overlay: Overlay, slot: int, x: float, y: float, r: float) -> None:
         u, v = self.view.pixel(x, y)
         radius = abs(r) * self.view.px_per_m
         if radius < self.farthest:  # a larger one has no line in the picture that one could read
             points = [(u + radius * c, v + radius * s) for c, s in CIRCLE]
-            for start, end in zip(points, [*points[1:], points[0]], strict=True):
-                overlay.line(self.inks[slot], start, end)
+            overlay.loop(self.inks[slot], points)
 
     def _plate(self, kind: str, slot: int, text: str) -> pygame.Surface:
         """Words on their plate."""

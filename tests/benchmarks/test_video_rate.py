@@ -1,4 +1,4 @@
-"""Frames to MP4: how near turning and encoding pictures come to encoding alone, in one run."""
+"""Frames to MP4: how near drawing, turning and encoding come to encoding alone, in one run."""
 
 from pathlib import Path
 from runpy import run_path
@@ -8,6 +8,7 @@ import av
 import numpy as np
 import pytest
 
+from soccersim import Recording, play_match
 from soccersim.render import look
 from soccersim.render.colours import Colours
 from soccersim.render.cut import Cut, frame_indices
@@ -54,7 +55,8 @@ def timed(work):
 @pytest.mark.parametrize("kind", ["kickabout", "match"])
 def test_a_film_is_made_at_four_fifths_of_the_encoders_own_rate(kind, tmp_path, capsys):
     if kind == "match":
-        scene = run_path(str(HERE / "synthetic_match.py"))["match"](60.0)
+        play_match("roles", "chaser", duration=20.0, recording=tmp_path / "match.npz")
+        scene = Recording.load(tmp_path / "match.npz")
     else:
         scene = run_path(str(HERE / "synthetic.py"))["kickabout"](10, seconds=20.0)
     cut, fps = Cut(4.0, 4.0 + SECONDS), scene.scenario.timing.frames_hz

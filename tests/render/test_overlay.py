@@ -36,6 +36,17 @@ def test_a_line_leaves_nothing_behind(ground, start, end, width):
     assert np.array_equal(pixels(overlay.surface), pixels(ground))
 
 
+@given(centre=PLACES, radius=st.floats(0.1, 500))
+@example(centre=(150.0, 100.0), radius=60.0)
+def test_a_circle_leaves_nothing_behind(ground, centre, radius):
+    overlay = Overlay(ground)
+    overlay.surface.set_clip((10, 10, 270, 170))
+    (x, y), turns = centre, np.linspace(0, 2 * np.pi, 48, endpoint=False)
+    overlay.loop(look.BELIEVED, [(x + radius * np.cos(t), y + radius * np.sin(t)) for t in turns])
+    overlay.clear()
+    assert np.array_equal(pixels(overlay.surface), pixels(ground))
+
+
 def test_a_long_line_marks_little_more_than_itself(ground):
     overlay = Overlay(ground)
     overlay.line(look.BELIEVED, (5.0, 5.0), (295.0, 195.0))
