@@ -14,7 +14,7 @@ from soccersim.live.page import page
 from soccersim.live.window import Driver
 from soccersim.render import look
 from soccersim.render.frames import FrameRenderer
-from soccersim.render.page.fill import DRAWING
+from soccersim.render.page.shared import DRAWING
 from soccersim.render.window import close_screen, open_screen
 
 STRIKER, RADIUS = 1, 0.24  # a robot of training, m

@@ -5,24 +5,19 @@ all else is deflated and spelt in letters, and the page's scripts write it as te
 head lets the browser run and load nothing but what is here.
 """
 
-from base64 import b64encode
 from functools import cache
-from hashlib import sha256
 from html import escape
-from importlib.resources import files
 
 from soccersim.problems import InputError, Problem
 from soccersim.record.recording import Recording
-from soccersim.render import look
 from soccersim.render.page.channels import COARSE, FINE, FINEST, Finesse, channels, frames, late
-from soccersim.render.page.document import css, document
+from soccersim.render.page.document import document
 from soccersim.render.page.pack import spelt
+from soccersim.render.page.shared import DRAWING, digest, part, script, style
 from soccersim.render.story import Story
 
 # in this order they are one script
-DRAWING = ("view", "pitch", "robots", "marks", "picture")  # knows nothing of recordings
 SCRIPTS = ("unpack", "recording", *DRAWING, "player", "timeline", "panels", "controls", "main")
-PALETTE = ("page", "card", "ink", "faint", "believed", "target")
 SHORT = 6_000  # poses up to which the finest steps are taken: four minutes of one robot
 ROOM = 735_000  # bytes of packed numbers; a page has 16 letters for 13 of them, and its own files
 
@@ -58,39 +53,18 @@ def _title(recording: Recording, story: Story | None) -> str:
 
 def _filled(title: str, data: bytes) -> str:
     """The template with everything in its place."""
-    style, script = _palette() + _part("page.css"), _script()
     return (
-        _part("page.html")
-        .replace("{{style-hash}}", _digest(style))
-        .replace("{{script-hash}}", _digest(script))
-        .replace("{{style}}", style)
-        .replace("{{script}}", script)
+        part("page.html")
+        .replace("{{style-hash}}", digest(style()))
+        .replace("{{script-hash}}", digest(_script()))
+        .replace("{{style}}", style())
+        .replace("{{script}}", _script())
+        .replace("{{buttons}}", part("buttons.html"))
         .replace("{{title}}", escape(title).replace("{", "&#123;"))
         .replace("{{data}}", spelt(data))
     )
 
 
 @cache
-def _palette() -> str:
-    """The colours of the frames as variables of the style."""
-    colours = {name: css(getattr(look, name.upper())) for name in PALETTE}
-    for team, colour in look.TEAMS.items():
-        colours |= {team: css(colour), f"{team}-tint": css(look.tint(team))}
-    return f":root {{{''.join(f'--{name}:{value};' for name, value in colours.items())}}}\n"
-
-
-@cache
 def _script() -> str:
-    """All scripts as one, in strict mode, with no names on the window but those they put there."""
-    parts = "\n".join(_part(f"{name}.js") for name in SCRIPTS)
-    return f'"use strict";\n(() => {{\n{parts}}})();\n'
-
-
-@cache
-def _part(name: str) -> str:
-    return (files("soccersim.render.page") / name).read_text(encoding="utf-8")
-
-
-def _digest(text: str) -> str:
-    """As a content security policy names what may run."""
-    return b64encode(sha256(text.encode()).digest()).decode()
+    return script(part(f"{name}.js") for name in SCRIPTS)
