@@ -158,7 +158,7 @@ function setWaiting(app) {
   if (!link.up) text = link.refusal || "no connection; trying again …";
   else if (waits && !(app.moment && app.moment.time > 0)) [text, since] = [waits[0], 1000 * waits[1] + performance.now() - app.begun];
   else if (since > PATIENCE) text = "the simulation is busy; one moment …";
-  setText(byId("veil"), text && !link.refusal ? `${text} ${Math.floor(since / 1000)} s` : text);
+  setText(byId("veil"), text && !link.refusal ? `${text} · ${Math.floor(since / 1000)} s` : text);
   byId("veil").hidden = !text;
 }
 
