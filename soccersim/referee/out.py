@@ -24,12 +24,12 @@ def ball_out(scene: Scene, ground: Ground, touches: Touches, watch: Watch) -> Ca
         return Call("out", OUT, text, (x, y), restart, None, ball)
     loser, name = scene.slot[last], scene.names[last]
     if kind == TOUCH_LINE:
-        restart, ball, line = Phase.THROW_IN, ground.throw_in(x, y), "touch line"
+        restart, ball, line = Phase.THROW_IN, ground.throw_in(x, y), "the touch line"
     elif scene.direction[loser] * x > 0.0:
-        restart, ball, line = Phase.GOAL_KICK, ground.goal_kick(x, y), "goal line"
+        restart, ball, line = Phase.GOAL_KICK, ground.goal_kick(x, y), "the goal line"
     else:
-        restart, ball, line = Phase.CORNER, ground.corner(x, y), "own goal line"
-    text = f"over the {line}, last touched by {name}"
+        restart, ball, line = Phase.CORNER, ground.corner(x, y), "their own goal line"
+    text = f"over {line}, last touched by {name}"
     return Call("out", OUT, text, (x, y), restart, 1 - loser, ball, (last,), loser)
 
 
