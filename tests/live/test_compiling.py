@@ -1,6 +1,7 @@
 """The first start on a machine: the physics is compiled for half a minute, and all are told so."""
 
 import threading
+import time
 
 import browser
 import pytest
@@ -52,7 +53,9 @@ def test_who_speaks_while_it_compiles_is_answered_and_sees_the_field(compiled):
 def test_who_ends_it_while_it_compiles_does_not_wait(compiled):
     with station(moves=False) as (_, session):
         assert compiled.asked.wait(20)
+        begun = time.monotonic()
         session.end()
+        assert time.monotonic() < begun + 5
         assert session._thread.is_alive()
         compiled.set()
 
