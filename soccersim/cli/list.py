@@ -8,7 +8,7 @@ import click
 @click.command("list", short_help="What comes with soccersim.")
 @click.option("--json", "as_json", is_flag=True, help="One JSON document on stdout.")
 def command(as_json: bool) -> None:
-    """List the bundled scenarios, strategies, robots and fields, with what they are.
+    """List the bundled scenarios, strategies, robots, fields, rules and senses, with what they are.
 
     \b
     soccersim list
@@ -27,7 +27,8 @@ def command(as_json: bool) -> None:
     from soccersim.cli.tables import Screen
 
     for kind, entries in about.items():
-        table = Table(title=f"{kind}s".replace("ys", "ies"), title_justify="left", box=None)
+        title = kind if kind.endswith("s") else f"{kind}s".replace("ys", "ies")
+        table = Table(title=title, title_justify="left", box=None)
         table.add_column("name", style="bold cyan", no_wrap=True)
         table.add_column("about")
         for name, text in entries.items():

@@ -102,6 +102,12 @@ def test_list_names_all_that_is_bundled_and_its_json_is_one_document(soccersim):
 
     told, shown = loads(soccersim("list", "--json").out), soccersim("list").out
     assert {kind: list(entries) for kind, entries in told.items()} == {k: names(k) for k in PLACES}
+    titles = [
+        line.strip()
+        for line in shown.splitlines()
+        if line[:1].isalpha() and " " not in line.strip()
+    ]
+    assert titles == ["scenarios", "robots", "fields", "rules", "senses", "strategies"]
     for entries in told.values():
         for name, about in entries.items():
             assert name in shown
