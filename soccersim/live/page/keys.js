@@ -69,12 +69,12 @@ class Keys {
 
   down(event) {
     const { app } = this;
-    if (event.ctrlKey || event.altKey || event.metaKey || !app.moment) return;
+    if (event.ctrlKey || event.altKey || event.metaKey) return;
     if (byId("guide").open) {
       if (["Escape", "?"].includes(event.key)) this.help();
       return;
     }
-    if (event.target.closest("input, select, textarea")) return;
+    if (!(app.moment || event.key === "?") || event.target.closest("input, select, textarea")) return;
     if (event.target.closest("button, summary") && [" ", "Enter"].includes(event.key)) return;
     const key = event.key.length > 1 ? event.key : event.key.toLowerCase();
     if (WAYS[key]) {
