@@ -103,6 +103,7 @@ def test_killed_at_random_it_comes_out_as_undisturbed(campaign, tmp_path, kills,
     assert list((tmp_path / "tmp").iterdir()) == []
 
 
+@pytest.mark.slow
 def test_a_full_disk_ends_it_with_three_and_it_goes_on_when_there_is_room(campaign, tmp_path):
     full = campaign(GROWTH=str(8192))
     out, err = full.communicate(timeout=200)
