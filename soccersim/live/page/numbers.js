@@ -17,10 +17,11 @@ function showBattery(moments, index) {
     ["y, m", number(y, 3), number(by, 3), number(by - y, 3)],
     ["heading, °", number(turn(of("heading")), 1), number(turn(of("bheading")), 1), number(turn(of("bheading") - of("heading")), 1)],
   ]);
-  const target = Number.isFinite(of("tx"))
-    ? [["to its target, cm, °", number(100 * Math.hypot(of("tx") - x, of("ty") - y), 1), number(100 * Math.hypot(of("tx") - bx, of("ty") - by), 1), number(turn(of("theading") - of("heading")), 1)]]
-    : [];
   const [c, s] = [Math.cos(of("heading")), Math.sin(of("heading"))];
+  const [dx, dy] = [of("tx") - x, of("ty") - y];
+  const target = Number.isFinite(dx)
+    ? [["to its target, cm, °", number(100 * (c * dx + s * dy), 1), number(100 * (c * dy - s * dx), 1), number(turn(of("theading") - of("heading")), 1)]]
+    : [];
   const moves = table(["", "ahead", "left", "turn, °/s"], [
     ["true, m/s", number(c * of("vx") + s * of("vy"), 2), number(c * of("vy") - s * of("vx"), 2), number(DEGREES * of("omega"), 0)],
     ["believes", number(of("bvx"), 2), number(of("bvy"), 2), number(DEGREES * of("bomega"), 0)],
