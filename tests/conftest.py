@@ -1,6 +1,7 @@
 """Makes tests/factory.py importable from every test, and says how many processes run them."""
 
 import os
+import signal
 import sys
 
 import pytest
@@ -29,11 +30,13 @@ def soccersim(monkeypatch, capsys):
         monkeypatch.setattr(sys, "argv", ["soccersim", *map(str, words)])
         monkeypatch.setattr(sys, "unraisablehook", sys.unraisablehook)  # main puts its own
         capsys.readouterr()
-        code = 0
+        code, before = 0, signal.getsignal(signal.SIGINT)
         try:
             main()
         except SystemExit as stop:
             code = stop.code or 0
+        finally:
+            signal.signal(signal.SIGINT, before)
         return Ended(code, *capsys.readouterr())
 
     return run

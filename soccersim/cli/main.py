@@ -1,14 +1,20 @@
 """The entry: finds the verb, and tells what went wrong in one line instead of a traceback."""
 
 import os
+import signal
 import sys
+from _thread import interrupt_main
 from importlib import import_module
-from typing import Any
+from threading import Timer
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from soccersim import __version__
 from soccersim.problems import InputError, MachineError, RunError, Stopped, one_line
+
+if TYPE_CHECKING:
+    from types import FrameType
 
 VERBS = {  # verb: what it does; its command stands in cli/verb.py
     "list": "What comes with soccersim: scenarios, strategies, robots, fields.",
@@ -28,6 +34,7 @@ VERBS = {  # verb: what it does; its command stands in cli/verb.py
     "schema": "Print the JSON Schema of scenario files, for editors.",
 }
 BAD_INPUT, MACHINE, INVALID, INTERRUPTED = 2, 3, 4, 130
+SOON = 0.05  # s
 
 
 class Verbs(click.Group):
@@ -95,7 +102,7 @@ def main() -> None:
     arguments = sys.argv[1:]
     debug = "--debug" in arguments
     open_streams()
-    unheard = listen()
+    listener = Listener()
     try:
         words = [a for a in arguments if a != "--debug"]
         code = soccersim.main(words, "soccersim", standalone_mode=False)
@@ -106,9 +113,11 @@ def main() -> None:
     except SystemExit:  # the same, met by click
         sys.exit(0)
     except (Exception, KeyboardInterrupt) as error:
+        listener.close()
         if debug:
             raise
-        sys.exit(tell(KeyboardInterrupt() if unheard else error))
+        ours = isinstance(error, Stopped | InputError | MachineError | RunError)
+        sys.exit(tell(KeyboardInterrupt() if listener.heard and not ours else error))
     sys.exit(code if isinstance(code, int) else 0)
 
 
@@ -122,18 +131,41 @@ def open_streams() -> None:
             stream.reconfigure(errors="backslashreplace")
 
 
-def listen() -> list[KeyboardInterrupt]:
-    """Fills with each Ctrl-C that a callback from C swallows, as the compiler's do; others fail."""
-    unheard = []
+class Listener:
+    """Hears each Ctrl-C, for libraries in C may swallow it, or make another error of it.
 
-    def hook(lost: "sys.UnraisableHookArgs") -> None:
-        if isinstance(lost.exc_value, KeyboardInterrupt):
-            unheard.append(lost.exc_value)
-        else:
+    Where a callback swallows it, as the compiler's do, it is sent again, soon: at once it would be
+    swallowed as well.
+    """
+
+    def __init__(self) -> None:
+        self.heard = False
+        self.again: list[Timer] = []
+        sys.unraisablehook = self.lost
+        if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+            signal.signal(signal.SIGINT, self.stop)
+
+    def stop(self, number: int, frame: "FrameType | None") -> None:
+        """It comes from the terminal."""
+        self.heard = True
+        signal.default_int_handler(number, frame)
+
+    def lost(self, lost: "sys.UnraisableHookArgs") -> None:
+        """An exception that a callback could not raise."""
+        if not isinstance(lost.exc_value, KeyboardInterrupt):
             sys.__unraisablehook__(lost)
+            return
+        self.heard = True
+        self.again.append(Timer(SOON, interrupt_main))
+        self.again[-1].daemon = True
+        self.again[-1].start()
 
-    sys.unraisablehook = hook
-    return unheard
+    def close(self) -> None:
+        """From now on another Ctrl-C ends it at once."""
+        for timer in self.again:
+            timer.cancel()
+        if signal.getsignal(signal.SIGINT) == self.stop:
+            signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
 def tell(error: BaseException) -> int:

@@ -103,6 +103,36 @@ def test_a_ctrl_c_that_the_compiler_swallows_still_ends_in_one_line(
     assert ended.lines == ["stopped; nothing was kept: run it again"]
 
 
+def test_a_ctrl_c_that_a_callback_swallows_comes_again(soccersim, scenario, monkeypatch):
+    scenario()
+
+    def swallowed(*_, **__):
+        sys.unraisablehook(Lost(KeyboardInterrupt()))
+        for _ in range(1000):
+            time.sleep(0.01)
+
+    monkeypatch.setattr(Simulation, "advance", swallowed)
+    begun = time.monotonic()
+    ended = soccersim("run", "./two.yaml")
+    assert ended.code == 130
+    assert len(ended.lines) == 1
+    assert time.monotonic() < begun + 5
+
+
+def test_a_ctrl_c_that_a_library_makes_an_error_of_is_a_ctrl_c(soccersim, scenario, monkeypatch):
+    scenario()
+
+    def turned(*_, **__):
+        try:
+            signal.raise_signal(signal.SIGINT)
+        except KeyboardInterrupt:
+            raise ImportError("numba._devicearray failed to import") from None
+
+    monkeypatch.setattr(Simulation, "advance", turned)
+    ended = soccersim("run", "./two.yaml")
+    assert (ended.code, ended.lines) == (130, ["stopped; nothing was kept: run it again"])
+
+
 class Lost:
     """What Python tells its hook about an exception that could not be raised."""
 
