@@ -88,6 +88,7 @@ def test_the_page_looks_so():
           const [u, v] = picture.view.pixel({}, {}).map((n) => Math.round(n * picture.ratio));
           return [...picture.pen.getImageData(u, v, 1, 1).data].slice(0, 3);
         }})()"""
+        tab.until(lambda: any(tab.run(pixel.format(0, 0))), "the first picture")
         check(lambda x, y: tab.run(pixel.format(x, y)), robot, ball)
 
 
