@@ -97,14 +97,14 @@ class Moments:
     def _flash(self, slot: int, step: int) -> pygame.Surface:
         first, last = SPREAD
         radius = (first + (last - first) * step / (STEPS - 1)) * self.scale
-        canvas = _canvas(radius)
+        canvas = Canvas.around(radius, 1.0)
         alpha = round(255 * (1 - step / STEPS))
         width = max(1.0, 2.5 * self.scale * (1 - step / STEPS))
         canvas.ring((0, 0), radius, width, (*look.tint(TEAMS[slot]), alpha))
         return canvas.shrunk()
 
     def _ghost(self, slot: int, old: bool) -> pygame.Surface:
-        canvas = _canvas(self.ball_radius)
+        canvas = Canvas.around(self.ball_radius, 1.0)
         ink = look.tint(TEAMS[slot])
         width = max(1.2, 1.6 * self.scale)
         canvas.disc((0, 0), self.ball_radius, (*look.TEAMS[TEAMS[slot]], 30 if old else 60))
@@ -113,12 +113,6 @@ class Moments:
 
     def _halo(self, radius: float) -> pygame.Surface:
         pixels = radius * self.view.px_per_m + HALO * self.scale
-        canvas = _canvas(pixels)
+        canvas = Canvas.around(pixels, 1.0)
         canvas.disc((0, 0), pixels, (*look.BALL, 130))
         return canvas.shrunk()
-
-
-def _canvas(radius: float) -> Canvas:
-    """A canvas in pixels."""
-    side = 2 * int(radius + 2)
-    return Canvas((side, side), 1.0)
